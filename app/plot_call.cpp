@@ -1,0 +1,110 @@
+#include "app/command_line.h"
+#include "app/figures.h"
+#include "app/inputs.h"
+#include "app/messages.h"
+#include "app/outputs.h"
+#include "core/files/profile_csv.h"
+#include "core/files/report.h"
+#include "ui/figures/profile_figure.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <limits>
+
+namespace arris::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+ui::ProfileColumns columnsOf(const std::vector<files::ProfileRow>& rows) {
+  ui::ProfileColumns columns;
+  for (const files::ProfileRow& row : rows) {
+    columns.time.push_back(row.time);
+    columns.vx.push_back(row.velocity.x());
+    columns.vy.push_back(row.velocity.y());
+    columns.ax.push_back(row.acceleration.x());
+    columns.ay.push_back(row.acceleration.y());
+    columns.speed.push_back(row.speed);
+    columns.distance.push_back(row.corner > 0 ? row.distance : std::numeric_limits<double>::quiet_NaN());
+    columns.contour.push_back(row.contour);
+    columns.corner.push_back(row.corner);
+    columns.zone.push_back(ui::zoneOf(row.phase));
+  }
+  return columns;
+}
+
+QString nameOf(const fs::path& file) {
+  return QString::fromStdString(file.filename().string());
+}
+
+OrStatus<ui::ProfileCurves> loadCurves(const fs::path& file) {
+  return load(file).and_then([&](const std::string& text) -> OrStatus<ui::ProfileCurves> {
+    const auto rows = files::readProfile(text, file.string());
+    if (!rows) {
+      return tl::unexpected(tellAndJudge({rows.error()}));
+    }
+    return ui::curvesOf(columnsOf(*rows), nameOf(file));
+  });
+}
+
+OrStatus<ui::ProfileLimits> loadLimits(const fs::path& report) {
+  if (report.empty()) {
+    return ui::ProfileLimits{};
+  }
+  return load(report).and_then([&](const std::string& text) -> OrStatus<ui::ProfileLimits> {
+    const auto figures = files::readReport(text, report.string());
+    if (!figures) {
+      return tl::unexpected(tellAndJudge({figures.error()}));
+    }
+    ui::ProfileLimits limits{figures->feed, figures->accelX, figures->accelY, figures->wheelRadius, {}};
+    for (const auto& corner : figures->corners) {
+      limits.corners.push_back({corner.id, corner.angle, corner.reliefRadius});
+    }
+    return limits;
+  });
+}
+
+} // namespace
+
+ExitStatus plot(const Arguments& arguments) {
+  CLI::App call("A picture of exported profiles; the second one (the actual) is laid over the first (the planned).",
+                "arris plot");
+  std::vector<fs::path> profiles;
+  fs::path report;
+  fs::path picture;
+  constexpr int kMostProfiles = 2;
+  call.add_option("PROFILE", profiles, "Profiles (CSV) as plan writes them")
+      ->required()
+      ->expected(1, kMostProfiles)
+      ->type_name("");
+  call.add_option("-o,--output", picture, "The picture")->required()->type_name(kFigureFile);
+  call.add_option("--report", report, "Report of the job: limits and angles of the corners")->type_name("FILE.json");
+  if (const auto status = read(call, arguments)) {
+    return *status;
+  }
+  std::vector<fs::path> inputs = profiles;
+  inputs.push_back(report);
+  if (const ExitStatus status = check({{"-o", picture, true}}, inputs); status != ExitStatus::Done) {
+    return status;
+  }
+  const auto limits = loadLimits(report);
+  if (!limits) {
+    return limits.error();
+  }
+  std::vector<ui::ProfileCurves> curves;
+  for (const fs::path& profile : profiles) {
+    auto loaded = loadCurves(profile);
+    if (!loaded) {
+      return loaded.error();
+    }
+    curves.push_back(*std::move(loaded));
+  }
+  const Offscreen offscreen;
+  const ui::Figure figure = ui::profileFigure(std::move(curves), *limits, nameOf(profiles.front()), {});
+  const auto written = writeFigure(figure, picture);
+  return written ? ExitStatus::Done : tellAndJudge({written.error()});
+}
+
+} // namespace arris::app

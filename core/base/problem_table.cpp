@@ -1,0 +1,95 @@
+#include "core/base/problem.h"
+
+namespace arris::base {
+
+// The one table of codes. Names are contracts of the report: new ones may be added, none renamed or used again.
+const std::vector<CodeInfo>& allCodes() {
+  using enum Code;
+  using enum Severity;
+  static const std::vector<CodeInfo> kTable = {
+      {CannotOpen, "cannot-open", Error, "{file} cannot be opened: {reason}."},
+      {CannotRead, "cannot-read", Error, "{file} cannot be read: {reason}."},
+      {CannotWrite, "cannot-write", Error, "{file} cannot be written: {reason}."},
+      {JsonMalformed, "json-malformed", Error, "{file} is not valid JSON: {reason}."},
+      {JsonNotThisFormat, "json-not-this-format", Error, "{file} has no \"{key}\": it is not such a file."},
+      {VersionNewer, "version-newer", Error,
+       "{file} was written by a newer Arris (\"{key}\": {version}); this one reads up to {known}."},
+      {UnknownKey, "unknown-key", Warning, "{file} has a key \"{key}\" that Arris does not know; it is ignored."},
+      {ValueWrongType, "value-wrong-type", Error, "{name} must be {expected}, not {value}."},
+      {ValueNotANumber, "value-not-a-number", Error, "{name} must be a number in {unit}, not \"{value}\"."},
+      {ValueOutOfRange, "value-out-of-range", Error,
+       "{name} is {value} {unit}; it must be from {least} to {most} {unit}."},
+      {ValueAboveMachine, "value-above-machine", Error,
+       "{name} is {value} {unit}; the machine allows {most} {unit} at most."},
+      {ValueNotAChoice, "value-not-a-choice", Error, "{name} is \"{value}\"; it must be one of: {choices}."},
+      {ValueNotYetSupported, "value-not-yet-supported", Error, "{name} has no effect yet; leave it at {default}."},
+      {CsvMalformed, "csv-malformed", Error, "{file} is not a profile of Arris: {reason}."},
+
+      {DxfEmpty, "dxf-empty", Error, "The pattern file is empty."},
+      {DxfBinary, "dxf-binary", Error, "This is a binary DXF file, which is not read yet; save it as ASCII DXF."},
+      {DxfNotDxf, "dxf-not-dxf", Error, "This is not a DXF file: {reason}."},
+      {DxfLineEnds, "dxf-line-ends", Error, "The lines end in carriage returns alone; save the file with LF or CR LF."},
+      {DxfGroupCode, "dxf-group-code", Error, "A group code is expected here, not {found}."},
+      {DxfNumber, "dxf-number", Error, "Group {group} must hold a finite number, not {found}."},
+      {DxfCoordinateAbsurd, "dxf-coordinate-absurd", Error,
+       "Group {group} holds {found}, which is absurd for a pane of glass (more than {most})."},
+      {DxfTruncated, "dxf-truncated", Error, "The file ends early: {reason}. It was cut off."},
+      {DxfSection, "dxf-section", Error, "The sections of the file are broken: {reason}."},
+      {DxfVertexCount, "dxf-vertex-count", Error, "{entity} announces {announced} {what} but has {found}."},
+      {DxfEntityIncomplete, "dxf-entity-incomplete", Error, "{entity} lacks group {group} ({what})."},
+      {DxfEntityValue, "dxf-entity-value", Error, "{entity} has {what} {value}, which cannot be."},
+
+      {UnitsAssumed, "units-assumed", Note, "The file does not say its unit; millimetres are assumed."},
+      {UnitsUnknown, "units-unknown", Error,
+       "The file gives its unit as number {number}, which is not mm, cm, m, inch or foot; say the unit with --units."},
+      {EntityNotSupported, "entity-not-supported", Error,
+       "{count} × {entity} not read yet; the contour would lack it."},
+      {EntityNotPlanar, "entity-not-planar", Error, "{count} × {entity} not flat in a plane parallel to the XY plane."},
+      {EntitiesPassedOver, "entities-passed-over", Note, "{count} × {entity} passed over: {reason}."},
+      {MoreNotListed, "more-not-listed", Note, "{count} more of {code} are not listed."},
+      {DuplicateRemoved, "duplicate-removed", Note, "A doubled piece of {size_mm} mm was removed."},
+      {ZeroLengthRemoved, "zero-length-removed", Note, "A piece without length ({size_mm} mm) was removed."},
+      {GapClosed, "gap-closed", Note, "A gap of {size_mm} mm was closed."},
+      {OpenChain, "open-chain", Error,
+       "The contour is open here: the next free end is {gap_mm} mm away (up to {tolerance_mm} mm are joined)."},
+      {BranchingChain, "branching-chain", Error, "{count} pieces meet here; a contour cannot branch."},
+      {NoContour, "no-contour", Error, "The drawing has no closed contour."},
+      {SeveralContours, "several-contours", Error,
+       "The drawing has {count} contours; only a single outline can be ground yet."},
+      {ContourDegenerate, "contour-degenerate", Error, "The contour encloses no area."},
+      {ContourCrossesItself, "contour-crosses-itself", Error, "The contour crosses or touches itself here."},
+
+      {ConcaveCorner, "concave-corner", Error,
+       "The contour has a concave corner of {angle_deg}° here; such corners cannot be ground yet."},
+      {SpikeInContour, "spike-in-contour", Error,
+       "The contour turns back on itself here, in a tip of {angle_deg}°; that is a mistake of the drawing."},
+      {InnerRadiusTooSmall, "inner-radius-too-small", Error,
+       "The wheel of {wheel_mm} mm radius does not fit into the hollow of {radius_mm} mm radius here."},
+      {PathMeetsItself, "path-meets-itself", Error,
+       "The wheel would touch another part of the glass here: {distance_mm} mm from the wheel's centre."},
+      {NoRelief, "no-relief", Warning,
+       "Corner {corner}: the wheel lifts by {lift_mm} mm, less than the {depth_mm} mm of glass at the tip."},
+      {SlowCorner, "slow-corner", Warning, "Corner {corner} takes {time_s} s."},
+      {NoLead, "no-lead", Error,
+       "The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the glass and has {distance_mm} "
+       "mm."},
+      {OverlapShortened, "overlap-shortened", Note,
+       "The overlap is {used_mm} mm, a quarter of the contour, instead of {wanted_mm} mm."},
+      {OutsideTravel, "outside-travel", Error,
+       "The wheel path leaves the travel of the machine by {excess_mm} mm: {what}."},
+      {WheelBelowTable, "wheel-below-table", Error,
+       "The wheel's lower face would be {height_mm} mm above the table while grinding; it must stay {least_mm} mm "
+       "above."},
+      {HeightOutsideTravel, "height-outside-travel", Error,
+       "The {what} height of {height_mm} mm is outside the travel of 0 to {most_mm} mm."},
+      {GrindingAboveClearance, "grinding-above-clearance", Error,
+       "The grinding height of {height_mm} mm is above the clearance height of {clearance_mm} mm."},
+
+      {MachineSpeedBinds, "machine-speed-binds", Note,
+       "The machine's greatest speed of the {axis} axis is below the feed; it limits the speed on the contour."},
+      {NumericalFailure, "numerical-failure", Error, "Internal error: {reason}."},
+  };
+  return kTable;
+}
+
+} // namespace arris::base

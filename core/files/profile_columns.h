@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace arris::files {
+
+/// The columns of a profile in the order in which they are written (contract).
+inline constexpr std::array<std::string_view, 17> kProfileColumns{
+    "t_s",      "x_mm",       "y_mm",    "z_mm",    "vx_mm_s", "vy_mm_s", "vz_mm_s", "ax_mm_s2",   "ay_mm_s2",
+    "az_mm_s2", "speed_mm_s", "path_mm", "contour", "segment", "phase",   "corner",  "distance_mm"};
+
+/// Where they stand in the table above.
+namespace column {
+inline constexpr std::size_t kTime = 0;
+inline constexpr std::size_t kPosition = 1;
+inline constexpr std::size_t kVelocity = 4;
+inline constexpr std::size_t kAcceleration = 7;
+inline constexpr std::size_t kSpeed = 10;
+inline constexpr std::size_t kPath = 11;
+inline constexpr std::size_t kContour = 12;
+inline constexpr std::size_t kSegment = 13;
+inline constexpr std::size_t kPhase = 14;
+inline constexpr std::size_t kCorner = 15;
+inline constexpr std::size_t kDistance = 16;
+} // namespace column
+
+/// Phases that only a run has, beside those of a plan.
+inline constexpr std::array<std::string_view, 3> kRunPhases{"dwell", "hold", "step"};
+
+} // namespace arris::files

@@ -1,0 +1,81 @@
+#include "core/job/job.h"
+
+#include "core/job/phases.h"
+#include "core/job/placement.h"
+#include "core/job/program_track.h"
+
+#include <algorithm>
+
+namespace arris::job {
+namespace {
+
+void append(base::Problems& problems, const base::Problems& more) {
+  problems.insert(problems.end(), more.begin(), more.end());
+}
+
+bool isWork(motion::Move move) {
+  using enum motion::Move;
+  return move == LeadIn || move == Contour || move == Transition || move == Roll || move == LeadOut;
+}
+
+// A note for each axis whose greatest speed is below the feed somewhere on the contours.
+base::Problems machineSpeedNotes(const recipe::Recipe& recipe, const recipe::Machine& machine) {
+  base::Problems notes;
+  for (const auto& [axis, index] : {std::pair{"X", 0}, {"Y", 1}}) {
+    if (machine.maxSpeed[index] < recipe.feed) {
+      notes.push_back(base::Problem(base::Code::MachineSpeedBinds, {{"axis", axis}}));
+    }
+  }
+  return notes;
+}
+
+void timeIt(Job& job) {
+  for (const PlannedPiece& piece : job.pieces) {
+    job.byPhase[static_cast<std::size_t>(piece.phase)] += piece.motion.duration;
+    if (isWork(job.track[static_cast<std::size_t>(piece.motion.segment)].move)) {
+      job.working += piece.motion.duration;
+    }
+  }
+  job.duration = job.pieces.back().motion.time + job.pieces.back().motion.duration;
+}
+
+} // namespace
+
+std::string_view name(Phase phase) {
+  static constexpr std::array<std::string_view, kPhaseCount> kNames{"approach",   "plunge",     "lead-in", "cruise",
+                                                                    "decelerate", "transition", "roll",    "stop",
+                                                                    "accelerate", "lead-out",   "retract", "traverse"};
+  return kNames[static_cast<std::size_t>(phase)];
+}
+
+Job planJob(const pattern::Pattern& pattern, const recipe::Recipe& recipe, const recipe::Machine& machine,
+            toolpath::Leads leads) {
+  Job job;
+  job.recipe = recipe;
+  job.machine = machine;
+  job.placement = placementOf(pattern.contours, recipe, machine);
+  job.contours = placed(pattern.contours, job.placement);
+  job.problems = placed(pattern.problems, job.placement);
+  append(job.problems, checkHeights(recipe, machine));
+  if (base::hasErrors(pattern.problems)) {
+    return job;
+  }
+
+  job.toolpath = toolpath::makeToolpath(job.contours, recipe, leads);
+  append(job.problems, job.toolpath.problems);
+  append(job.problems, checkTravel(job.toolpath, machine));
+  append(job.problems, machineSpeedNotes(recipe, machine));
+  if (!job.canBeGround()) {
+    return job;
+  }
+
+  job.track = makeTrack(job.toolpath, recipe, machine);
+  job.limits = motion::axisLimits(recipe, machine);
+  job.intervals = motion::speedLimits(job.track, job.limits);
+  job.pieces = planPieces(job.track, job.intervals, job.limits);
+  job.cornerResults = cornerResults(job.track, job.pieces, job.toolpath.corners.size());
+  timeIt(job);
+  return job;
+}
+
+} // namespace arris::job

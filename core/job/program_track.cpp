@@ -1,0 +1,237 @@
+#include "core/job/program_track.h"
+
+#include "core/base/tolerances.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace arris::job {
+namespace {
+
+using base::Code;
+using base::Problem;
+using base::Problems;
+using geometry::Box;
+using geometry::Curve;
+using geometry::Line;
+using geometry::Point;
+using motion::Move;
+using motion::Segment;
+using motion::Vertical;
+using toolpath::Role;
+
+/// The wheel's lower face stays this far above the table, mm.
+constexpr double kAboveTable = 1;
+
+/// What rounding may put outside the travel, mm.
+constexpr double kTravelRounding = 1e-6;
+
+Move moveOf(Role role) {
+  switch (role) {
+  case Role::LeadIn:
+    return Move::LeadIn;
+  case Role::Contour:
+    return Move::Contour;
+  case Role::Transition:
+    return Move::Transition;
+  case Role::Roll:
+    return Move::Roll;
+  case Role::LeadOut:
+    return Move::LeadOut;
+  }
+  return Move::Contour;
+}
+
+/// Strings the moves of the program together; every rapid and plunge starts and ends at rest.
+class TrackBuilder {
+public:
+  TrackBuilder(const recipe::Recipe& recipe, const recipe::Machine& machine)
+      : m_recipe(recipe), m_machine(machine), m_at(machine.park.head<2>()), m_z(machine.park.z()) {}
+
+  void vertical(Move move, double to) {
+    if (std::abs(to - m_z) < base::kZeroLength) {
+      return;
+    }
+    Segment segment;
+    segment.shape = Vertical{m_at, m_z, to};
+    segment.feed = move == Move::Plunge ? m_machine.plungeFeed / 60 : m_machine.maxSpeed.z() / 60;
+    rapid(segment, move);
+    m_z = to;
+  }
+
+  void across(Move move, const Point& to) {
+    const Point way = to - m_at;
+    if (way.norm() < base::kZeroLength) {
+      return;
+    }
+    const Point share = way.cwiseAbs() / way.norm();
+    Segment segment;
+    segment.shape = Line{m_at, to};
+    segment.z = m_z;
+    segment.feed = std::min(m_machine.maxSpeed.x() / share.x(), m_machine.maxSpeed.y() / share.y()) / 60;
+    rapid(segment, move);
+    m_at = to;
+  }
+
+  void grind(const toolpath::Chain& chain) {
+    for (const toolpath::PathSegment& piece : chain.segments) {
+      Segment segment;
+      std::visit([&](const auto& shape) { segment.shape = shape; }, piece.shape);
+      segment.move = moveOf(piece.role);
+      segment.z = m_z;
+      segment.feed = m_recipe.feedPerSecond();
+      if (piece.speedCap > 0) {
+        segment.speedCap = piece.speedCap;
+      }
+      segment.contour = chain.contour;
+      segment.number = ++m_number;
+      segment.corner = piece.corner;
+      m_track.push_back(segment);
+    }
+    m_track.back().stopAtEnd = true;
+    m_at = geometry::endPoint(chain.segments.back().shape);
+  }
+
+  std::vector<Segment> take() {
+    return std::move(m_track);
+  }
+
+private:
+  void rapid(Segment& segment, Move move) {
+    segment.move = move;
+    segment.stopAtEnd = true;
+    m_track.push_back(segment);
+  }
+
+  const recipe::Recipe& m_recipe;
+  const recipe::Machine& m_machine;
+  Point m_at;
+  double m_z;
+  int m_number = 0;
+  std::vector<Segment> m_track;
+};
+
+std::string nameOf(const toolpath::PathSegment& piece) {
+  switch (piece.role) {
+  case Role::LeadIn:
+    return "the lead-in";
+  case Role::LeadOut:
+    return "the lead-out";
+  case Role::Transition:
+    return fmt::format("the transition at corner {}", piece.corner);
+  case Role::Roll:
+    return fmt::format("the roll round corner {}", piece.corner);
+  case Role::Contour:
+    break;
+  }
+  return "the way along the contour";
+}
+
+double excess(const Box& box, const Eigen::Vector2d& travel) {
+  const Eigen::Vector2d below = -box.min();
+  const Eigen::Vector2d above = box.max() - travel;
+  return std::max(below.maxCoeff(), above.maxCoeff());
+}
+
+Point farthestOut(const Box& box, const Eigen::Vector2d& travel) {
+  const Point middle = box.center();
+  Point result = middle;
+  for (int axis = 0; axis < 2; ++axis) {
+    if (-box.min()[axis] > kTravelRounding) {
+      result[axis] = box.min()[axis];
+    }
+    if (box.max()[axis] - travel[axis] > kTravelRounding) {
+      result[axis] = box.max()[axis];
+    }
+  }
+  return result;
+}
+
+Problem outside(const std::string& what, double by, const Point& where) {
+  return Problem(Code::OutsideTravel, {{"what", what}, {"excess_mm", by}}).at(where);
+}
+
+} // namespace
+
+Heights heightsOf(const recipe::Recipe& recipe, const recipe::Machine& machine) {
+  return {recipe.support + recipe.thickness / 2 + recipe.wheelZ,
+          recipe.support + recipe.thickness + recipe.clearance + recipe.wheelHeight / 2, machine.travel.z()};
+}
+
+Problems checkHeights(const recipe::Recipe& recipe, const recipe::Machine& machine) {
+  const Heights heights = heightsOf(recipe, machine);
+  Problems problems;
+  const double lowerFace = heights.grinding - recipe.wheelHeight / 2;
+  if (lowerFace < kAboveTable) {
+    problems.push_back(Problem(Code::WheelBelowTable, {{"height_mm", lowerFace}, {"least_mm", kAboveTable}}));
+  }
+  const auto check = [&](const char* what, double height) {
+    if (height > heights.top || height < 0) {
+      problems.push_back(
+          Problem(Code::HeightOutsideTravel, {{"what", what}, {"height_mm", height}, {"most_mm", heights.top}}));
+    }
+  };
+  check("clearance", heights.clearance);
+  check("grinding", heights.grinding);
+  if (heights.grinding > heights.clearance) {
+    problems.push_back(
+        Problem(Code::GrindingAboveClearance, {{"height_mm", heights.grinding}, {"clearance_mm", heights.clearance}}));
+  }
+  return problems;
+}
+
+// One problem for each corner and lead, and one for the rest: the worst of it.
+Problems checkTravel(const toolpath::Toolpath& toolpath, const recipe::Machine& machine) {
+  Problems problems;
+  const Eigen::Vector2d travel = machine.travel.head<2>();
+  for (const toolpath::Chain& chain : toolpath.chains) {
+    std::optional<Problem> worstOnContour;
+    double worst = kTravelRounding;
+    std::vector<int> named;
+    for (const toolpath::PathSegment& piece : chain.segments) {
+      const Box box = geometry::bounds(piece.shape);
+      const double by = excess(box, travel);
+      if (by <= kTravelRounding) {
+        continue;
+      }
+      const Problem problem = outside(nameOf(piece), by, farthestOut(box, travel)).ofContour(chain.contour);
+      if (piece.corner != 0 && std::find(named.begin(), named.end(), piece.corner) == named.end()) {
+        named.push_back(piece.corner);
+        problems.push_back(Problem(problem).ofCorner(piece.corner));
+      } else if (piece.role == Role::LeadIn || piece.role == Role::LeadOut) {
+        problems.push_back(problem);
+      } else if (piece.role == Role::Contour && by > worst) {
+        worst = by;
+        worstOnContour = problem;
+      }
+    }
+    if (worstOnContour) {
+      problems.push_back(*worstOnContour);
+    }
+  }
+  return problems;
+}
+
+std::vector<Segment> makeTrack(const toolpath::Toolpath& toolpath, const recipe::Recipe& recipe,
+                               const recipe::Machine& machine) {
+  const Heights heights = heightsOf(recipe, machine);
+  TrackBuilder builder(recipe, machine);
+  builder.vertical(Move::Approach, heights.top);
+  Move across = Move::Approach;
+  for (const toolpath::Chain& chain : toolpath.chains) {
+    builder.across(across, geometry::startPoint(chain.segments.front().shape));
+    builder.vertical(Move::Approach, heights.clearance);
+    builder.vertical(Move::Plunge, heights.grinding);
+    builder.grind(chain);
+    builder.vertical(Move::Retract, heights.clearance);
+    across = Move::Traverse;
+  }
+  builder.vertical(Move::Retract, heights.top);
+  builder.across(Move::Traverse, machine.park.head<2>());
+  builder.vertical(Move::Traverse, machine.park.z());
+  return builder.take();
+}
+
+} // namespace arris::job

@@ -1,0 +1,106 @@
+#pragma once
+
+#include "core/motion/speed_limits.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace arris::motion {
+
+/// A stretch of time over which λ̈ is constant: what the forward pass decides at each event (the end of an interval,
+/// meeting K or the feed, a changed override).
+struct Piece {
+  double time = 0;     ///< s, when it begins
+  double duration = 0; ///< s
+  int segment = 0;
+  double lambda = 0;       ///< mm, at its beginning
+  double endLambda = 0;    ///< mm, at its end
+  double speed = 0;        ///< λ̇ at its beginning, mm/s
+  double acceleration = 0; ///< λ̈, mm/s²
+};
+
+/// Where the wheel is to be: everything at one instant.
+struct SetPoint {
+  double time = 0; ///< s
+  int segment = 0;
+  double lambda = 0, speed = 0, acceleration = 0; ///< of λ: mm, mm/s, mm/s²
+  Eigen::Vector3d position{0, 0, 0};              ///< mm
+  Eigen::Vector3d velocity{0, 0, 0};              ///< mm/s
+  Eigen::Vector3d axisAcceleration{0, 0, 0};      ///< mm/s²
+};
+
+/// The set-point of a piece at an instant inside it.
+[[nodiscard]] SetPoint setPointAt(const Piece& piece, const Segment& segment, double time);
+
+/// The forward pass: from rest at the start of a track to rest at its end, at every instant with the largest λ̈ that the
+/// limits admit while λ̇ ≤ c(λ): for an override o up to 1 c = o·min(K, feed), above 1 c = min(K, o·feed). What it does
+/// depends on the instants at which the override changes, never on those at which it is asked. The preview runs it
+/// ahead of time, the controller at the servo period. Nothing here allocates, locks or throws. Track and intervals are
+/// referred to and must outlive it; neither may be empty.
+class Interpolator {
+public:
+  Interpolator(std::span<const Segment> track, std::span<const Interval> intervals, AxisLimits limits);
+
+  /// Feed override as a factor, 0.1 to 1.5, from the instant reached on; 0 is a feed hold.
+  void setOverride(double factor);
+
+  /// Advances to the instant `time` (s, not before the last one) and tells where the wheel is then.
+  SetPoint advanceTo(double time);
+
+  /// The piece that the instant reached lies in, from where it was decided to the next event.
+  [[nodiscard]] const Piece& piece() const {
+    return m_piece;
+  }
+
+  /// Advances to the end of the present piece and decides the next; false at the end of the track and at rest in a
+  /// hold.
+  bool nextPiece();
+
+  /// At rest at the end of the track.
+  [[nodiscard]] bool atEnd() const {
+    return m_index == m_intervals.size();
+  }
+
+  /// The instant reached, s from the start.
+  [[nodiscard]] double time() const {
+    return m_time;
+  }
+
+private:
+  /// What holds λ̇ at present.
+  enum class Follow { Nothing, Feed, Brake };
+
+  [[nodiscard]] const Interval& interval() const {
+    return m_intervals[m_index];
+  }
+
+  [[nodiscard]] const Segment& segment() const {
+    return m_track[static_cast<std::size_t>(interval().segment)];
+  }
+
+  [[nodiscard]] double feed2() const;
+  [[nodiscard]] double brake() const;
+  [[nodiscard]] double brakeLine2(double lambda) const;
+  void decide();
+  void settle(double acceleration, double distance, double endSpeed2, Follow next);
+  void decideFeed(double speed2);
+  void decideBrake(double speed2);
+  void decideFree(double speed2);
+  void decideFall(double speed2);
+  void enterInterval();
+  void standStill();
+
+  std::span<const Segment> m_track;
+  std::span<const Interval> m_intervals;
+  AxisLimits m_limits;
+  double m_override = 1;
+  std::size_t m_index = 0;
+  double m_time = 0;
+  Piece m_piece;
+  double m_endSpeed2 = 0;                ///< λ̇² at the end of the piece
+  Follow m_follow = Follow::Nothing;     ///< during the piece
+  Follow m_followNext = Follow::Nothing; ///< after it
+};
+
+} // namespace arris::motion

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/base/problem.h"
+#include "core/pattern/curve_tree.h"
+
+namespace arris::pattern {
+
+/// The places where a closed chain of lines and arcs crosses or touches itself, neighbours that turn back on themselves
+/// included; the first few are enough. `chain` is the one of the tree.
+[[nodiscard]] std::vector<geometry::Point> selfCrossings(const std::vector<geometry::Curve>& chain,
+                                                         const CurveTree& tree);
+
+} // namespace arris::pattern

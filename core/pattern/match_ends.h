@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/base/problem.h"
+#include "core/geometry/curve.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace arris::pattern {
+
+/// An end of a piece: 2 × piece for its start, 2 × piece + 1 for its end.
+using EndId = std::uint32_t;
+
+inline constexpr EndId kNoEnd = ~EndId{0};
+
+[[nodiscard]] inline EndId otherEnd(EndId end) {
+  return end ^ 1U;
+}
+
+[[nodiscard]] inline std::size_t pieceOf(EndId end) {
+  return end / 2;
+}
+
+[[nodiscard]] inline bool isStart(EndId end) {
+  return end % 2 == 0;
+}
+
+/// Which end is joined to which, and where.
+struct Matches {
+  std::vector<EndId> partner;          ///< by end; `kNoEnd` where an end stays free
+  std::vector<geometry::Point> joints; ///< by end: where it comes to lie, half-way to its partner
+  base::Problems repairs;              ///< gaps closed
+  base::Problems problems;             ///< ends that stay free, places where pieces branch
+};
+
+/// Joins the ends of pieces (none without length, none closed in itself) that are at most `gap` apart, nearest first;
+/// ties are decided by coordinates, never by the order of the pieces. Where three or more ends lie in one point, none
+/// of them is joined. Cost grows as n log n.
+[[nodiscard]] Matches matchEnds(const std::vector<geometry::Curve>& pieces, double gap);
+
+} // namespace arris::pattern

@@ -1,0 +1,120 @@
+#include "core/pattern/pattern.h"
+
+#include "core/pattern/contour.h"
+#include "core/pattern/dxf_gate.h"
+#include "core/pattern/dxf_reader.h"
+#include "core/pattern/dxf_selection.h"
+#include "core/pattern/join.h"
+#include "core/pattern/units.h"
+
+#include <algorithm>
+#include <exception>
+#include <tuple>
+
+namespace arris::pattern {
+namespace {
+
+using base::Code;
+using base::Problem;
+using base::Problems;
+using geometry::Curve;
+
+/// Of one kind no more problems than this are listed: the drawing is read again after the first are mended.
+constexpr std::int64_t kMostOfOneKind = 20;
+
+void append(Problems& problems, const Problems& more) {
+  problems.insert(problems.end(), more.begin(), more.end());
+}
+
+// From below upwards, whatever the order of the pieces was.
+void sortByPlace(Problems& problems) {
+  const auto place = [](const Problem& p) {
+    const geometry::Point where = p.where.value_or(geometry::Point::Zero());
+    return std::tuple(p.code, where.y(), where.x());
+  };
+  std::sort(problems.begin(), problems.end(), [&](const Problem& a, const Problem& b) { return place(a) < place(b); });
+}
+
+void keepTheFirstOfEachKind(Problems& problems) {
+  std::map<Code, std::int64_t> counts;
+  const auto isTooMany = [&counts](const Problem& p) { return ++counts[p.code] > kMostOfOneKind; };
+  problems.erase(std::remove_if(problems.begin(), problems.end(), isTooMany), problems.end());
+  for (const auto& [code, count] : counts) {
+    if (count > kMostOfOneKind) {
+      problems.push_back(Problem(Code::MoreNotListed,
+                                 {{"count", count - kMostOfOneKind}, {"code", std::string(base::info(code).name)}}));
+    }
+  }
+}
+
+bool isOneOf(const Problem& problem, std::initializer_list<Code> codes) {
+  return std::find(codes.begin(), codes.end(), problem.code) != codes.end();
+}
+
+// What is missing leaves the rest open; telling that too would lead away from the cause.
+void dropConsequencesOfMissing(Problems& problems, const Problems& ofEntities) {
+  if (base::hasErrors(ofEntities)) {
+    const auto isConsequence = [](const Problem& p) { return isOneOf(p, {Code::OpenChain, Code::NoContour}); };
+    problems.erase(std::remove_if(problems.begin(), problems.end(), isConsequence), problems.end());
+  }
+}
+
+Pattern readInventory(const Inventory& inventory, const ImportOptions& options) {
+  const FoundUnits units = findUnits(options.units, inventory.insUnits, inventory.measurement);
+  const double scale = millimetresPer(units.units);
+  Selection selection = selectEntities(inventory, scale);
+  ReadEntities read = readEntities(selection.entities, scale);
+  append(selection.problems, read.problems);
+
+  Pattern pattern = joinPieces(std::move(read.pieces), options.gap);
+  pattern.units = units.units;
+  pattern.unitsFrom = units.from;
+  pattern.entities = std::move(selection.counts);
+  pattern.layers = std::move(selection.layers);
+  dropConsequencesOfMissing(pattern.problems, selection.problems);
+  pattern.problems.insert(pattern.problems.begin(), selection.problems.begin(), selection.problems.end());
+  if (units.problem) {
+    pattern.problems.insert(pattern.problems.begin(), *units.problem);
+  }
+  keepTheFirstOfEachKind(pattern.problems);
+  return pattern;
+}
+
+Pattern onlyWith(Problem problem) {
+  Pattern pattern;
+  pattern.problems.push_back(std::move(problem));
+  return pattern;
+}
+
+} // namespace
+
+Pattern readDxf(std::string_view text, const ImportOptions& options) {
+  try {
+    const base::Expected<Inventory> inventory = inspectDxf(text, options.units);
+    return inventory ? readInventory(*inventory, options) : onlyWith(inventory.error());
+  } catch (const std::exception& e) { // no memory left
+    return onlyWith(Problem(Code::NumericalFailure, {{"reason", std::string(e.what())}}));
+  }
+}
+
+Pattern joinPieces(std::vector<Curve> pieces, double gap) {
+  Chains chains = chainPieces(std::move(pieces), gap);
+  Pattern pattern;
+  pattern.loose = std::move(chains.loose);
+  pattern.repairs = std::move(chains.repairs);
+  pattern.problems = std::move(chains.problems);
+  for (std::vector<Curve>& chain : chains.closed) {
+    pattern.contours.push_back(makeContour(std::move(chain)));
+  }
+  sortContours(pattern.contours);
+  if (pattern.contours.empty() && pattern.problems.empty()) {
+    pattern.problems.emplace_back(Code::NoContour);
+  }
+  append(pattern.problems, checkContours(pattern.contours));
+  sortByPlace(pattern.repairs);
+  sortByPlace(pattern.problems);
+  keepTheFirstOfEachKind(pattern.problems);
+  return pattern;
+}
+
+} // namespace arris::pattern

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/geometry/curve.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace arris::test {
+
+/// Builds the text of a small DXF drawing. Numbers have 17 digits, so nothing is lost.
+class DxfText {
+public:
+  DxfText& insUnits(int number);
+  DxfText& measurement(int number);
+  /// A layer table with this entry; a negative colour switches the layer off, flag 1 freezes it.
+  DxfText& layer(std::string_view name, int color, int flags);
+
+  /// Lines as LINE; arcs as ARC or, where they are full, as CIRCLE (always counter-clockwise, as DXF has them).
+  DxfText& add(const geometry::Curve& curve, std::string_view layer = "0");
+  DxfText& add(const std::vector<geometry::Curve>& curves);
+  /// A closed chain as one LWPOLYLINE with bulges.
+  DxfText& addPolyline(const std::vector<geometry::Curve>& closedChain);
+  /// Any groups, each "code value" on a line of its own: "0 TEXT\n8 0".
+  DxfText& addGroups(std::string_view groups);
+
+  [[nodiscard]] std::string text() const;
+
+private:
+  std::string m_header;
+  std::string m_layers;
+  std::string m_entities;
+};
+
+/// The groups of `groups`, one "code value" on each line, as DXF: code and value on lines of their own.
+[[nodiscard]] std::string asGroups(std::string_view groups);
+
+/// Line of the file, from 1, on which `needle` first begins.
+[[nodiscard]] std::int64_t lineOf(std::string_view text, std::string_view needle);
+
+} // namespace arris::test

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace arris::test {
+
+/// How a piece of work in a process of its own ended, and what it returned.
+struct Outcome {
+  bool ended = false;  ///< by itself: no crash, no limit reached
+  std::string failure; ///< in words, where it did not
+  std::string text;
+};
+
+/// Does `work` in a process of its own under limits: processor time in seconds, memory in MiB (under AddressSanitizer,
+/// which needs address space without end, only the time is limited).
+[[nodiscard]] Outcome inLimitedProcess(unsigned cpuSeconds, unsigned megabytes,
+                                       const std::function<std::string()>& work);
+
+} // namespace arris::test

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "ui/presenters/planner.h"
+
+namespace arris::test {
+
+/// A planner's steps that read no files: the name of the file chooses the pane (see panes.h): "triangle.dxf",
+/// "rectangle.dxf", "outside.dxf" (leaves the travel), "many.dxf" (forty corners); any other cannot be opened.
+[[nodiscard]] ui::PlannerSteps paneSteps();
+
+} // namespace arris::test

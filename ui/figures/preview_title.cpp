@@ -1,0 +1,90 @@
+#include "ui/figures/preview_figure.h"
+#include "ui/text/quantities.h"
+
+#include <QCoreApplication>
+
+namespace arris::ui {
+namespace {
+
+QString sizeText(const geometry::Box& box, const QLocale& locale) {
+  return QStringLiteral("%1 × %2 mm")
+      .arg(numberText(box.sizes().x(), 1, locale), numberText(box.sizes().y(), 1, locale));
+}
+
+geometry::Box paneBox(const std::vector<pattern::Contour>& contours) {
+  geometry::Box box;
+  for (const pattern::Contour& contour : contours) {
+    box.extend(geometry::bounds(contour.curves));
+  }
+  return box;
+}
+
+class TitleLines {
+  Q_DECLARE_TR_FUNCTIONS(PreviewPage)
+
+public:
+  static QString pane(const job::Job& job);
+  static QString values(const job::Job& job);
+  static QString times(const job::Job& job);
+  static QString imported(const pattern::Pattern& pattern);
+};
+
+QString TitleLines::pane(const job::Job& job) {
+  const QLocale c = QLocale::c();
+  const geometry::Box box = paneBox(job.contours);
+  if (box.isEmpty()) {
+    return tr("No contour");
+  }
+  QString line = tr("Pane %1, lower left at X %2, Y %3")
+                     .arg(sizeText(box, c), numberText(box.min().x(), 1, c), numberText(box.min().y(), 1, c));
+  line += QStringLiteral(" · ") + tr("glass %1 mm").arg(numberText(job.recipe.thickness, 2, c));
+  line += QStringLiteral(" · ") + tr("corners: %1").arg(job.toolpath.corners.size());
+  return line;
+}
+
+QString TitleLines::values(const job::Job& job) {
+  const QLocale c = QLocale::c();
+  const recipe::Recipe& r = job.recipe;
+  return tr("Wheel R %1 mm · depth %2 mm · feed %3 mm/min · acceleration X %4, Y %5 mm/s²")
+      .arg(numberText(r.wheelRadius, 3, c), numberText(r.depth, 3, c), numberText(r.feed, 1, c),
+           numberText(r.accelX, 2, c), numberText(r.accelY, 2, c));
+}
+
+QString TitleLines::times(const job::Job& job) {
+  const QLocale c = QLocale::c();
+  if (job.pieces.empty()) {
+    return tr("Cannot be ground");
+  }
+  double length = 0;
+  for (const toolpath::Chain& chain : job.toolpath.chains) {
+    for (const toolpath::PathSegment& segment : chain.segments) {
+      length += geometry::arcLength(segment.shape);
+    }
+  }
+  return tr("Grinding %1 · whole program %2 · wheel path %3 mm")
+      .arg(durationText(job.working, c), durationText(job.duration, c), numberText(length, 1, c));
+}
+
+QString TitleLines::imported(const pattern::Pattern& pattern) {
+  const geometry::Box box = paneBox(pattern.contours);
+  QString line = tr("Contours: %1").arg(pattern.contours.size());
+  if (!box.isEmpty()) {
+    line += QStringLiteral(" · ") + sizeText(box, QLocale::c());
+  }
+  if (!pattern.loose.empty()) {
+    line += QStringLiteral(" · ") + tr("pieces in no contour: %1").arg(pattern.loose.size());
+  }
+  return line;
+}
+
+} // namespace
+
+PreviewTitle previewTitle(const job::Job& job, const QString& file) {
+  return {file, {TitleLines::pane(job), TitleLines::values(job), TitleLines::times(job)}};
+}
+
+PreviewTitle previewTitle(const pattern::Pattern& pattern, const QString& file) {
+  return {file, {TitleLines::imported(pattern)}};
+}
+
+} // namespace arris::ui

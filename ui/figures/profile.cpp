@@ -1,0 +1,213 @@
+#include "ui/figures/profile.h"
+
+#include "ui/figures/polyline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace arris::ui {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+// Curves are kept as if drawn this large, in pixels: a screen can be zoomed in twenty times before it shows.
+constexpr double kDetailWidth = 60000;
+constexpr double kDetailHeight = 6000;
+constexpr double kDetail = 0.5;
+
+const std::vector<double>& columnOf(const ProfileColumns& columns, Panel panel) {
+  switch (panel) {
+  case Panel::SpeedX:
+    return columns.vx;
+  case Panel::SpeedY:
+    return columns.vy;
+  case Panel::AccelerationX:
+    return columns.ax;
+  case Panel::AccelerationY:
+    return columns.ay;
+  case Panel::Speed:
+    return columns.speed;
+  case Panel::Distance:
+    break;
+  }
+  return columns.distance;
+}
+
+std::pair<std::size_t, std::size_t> workRows(const ProfileColumns& columns) {
+  const auto onContour = [](int contour) { return contour != 0; };
+  const auto first = std::find_if(columns.contour.begin(), columns.contour.end(), onContour);
+  const auto last = std::find_if(columns.contour.rbegin(), columns.contour.rend(), onContour);
+  if (first == columns.contour.end()) {
+    return {0, columns.time.size()};
+  }
+  return {static_cast<std::size_t>(first - columns.contour.begin()),
+          static_cast<std::size_t>(columns.contour.rend() - last)};
+}
+
+std::vector<CornerBand> bandsOf(const ProfileColumns& columns) {
+  std::vector<CornerBand> bands;
+  bool running = false;
+  for (std::size_t i = 0; i < columns.time.size(); ++i) {
+    const bool inZone = columns.corner[i] != 0 && columns.zone[i] != Zone::None;
+    const bool same = running && bands.back().corner == columns.corner[i] && bands.back().zone == columns.zone[i];
+    if (running) {
+      bands.back().to = columns.time[i]; // up to where the next begins
+    }
+    if (inZone && !same) {
+      bands.push_back({columns.corner[i], columns.zone[i], columns.time[i], columns.time[i]});
+    }
+    running = inZone;
+  }
+  return bands;
+}
+
+// The distance is of interest while the wheel passes the corner; the ways there and back would only stretch the axis.
+bool countsForRange(const ProfileColumns& columns, Panel panel, std::size_t row) {
+  return columns.contour[row] != 0 && (panel != Panel::Distance || columns.zone[row] == Zone::Corner);
+}
+
+std::pair<double, double> rangeOf(const ProfileColumns& columns, Panel panel) {
+  const std::vector<double>& values = columnOf(columns, panel);
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isfinite(values[i]) && countsForRange(columns, panel, i)) {
+      least = std::min(least, values[i]);
+      most = std::max(most, values[i]);
+    }
+  }
+  return least <= most ? std::pair(least, most) : std::pair(0.0, 0.0);
+}
+
+QPolygonF curveOf(const ProfileColumns& columns, Panel panel) {
+  const std::vector<double>& values = columnOf(columns, panel);
+  QPolygonF curve;
+  curve.reserve(static_cast<qsizetype>(values.size()));
+  double greatest = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    curve.append({columns.time[i], values[i]});
+    if (std::isfinite(values[i])) {
+      greatest = std::max(greatest, std::abs(values[i]));
+    }
+  }
+  if (greatest == 0 || columns.time.back() == 0) {
+    return curve.isEmpty() ? curve : QPolygonF{curve.front(), curve.back()};
+  }
+  return thinnedCurve(curve, kDetailWidth / columns.time.back(), kDetailHeight / greatest, kDetail);
+}
+
+void reserve(ProfileColumns& columns, std::size_t rows) {
+  for (std::vector<double>* column :
+       {&columns.time, &columns.vx, &columns.vy, &columns.ax, &columns.ay, &columns.speed, &columns.distance}) {
+    column->reserve(rows);
+  }
+  columns.contour.reserve(rows);
+  columns.corner.reserve(rows);
+  columns.zone.reserve(rows);
+}
+
+void append(ProfileColumns& columns, const files::ProfileRow& row) {
+  columns.time.push_back(row.time);
+  columns.vx.push_back(row.velocity.x());
+  columns.vy.push_back(row.velocity.y());
+  columns.ax.push_back(row.acceleration.x());
+  columns.ay.push_back(row.acceleration.y());
+  columns.speed.push_back(row.speed);
+  columns.distance.push_back(row.corner != 0 ? row.distance : kNothing);
+  columns.contour.push_back(row.contour);
+  columns.corner.push_back(row.corner);
+  columns.zone.push_back(zoneOf(row.phase));
+}
+
+} // namespace
+
+Zone zoneOf(std::string_view phase) {
+  if (phase == "decelerate") {
+    return Zone::Slowing;
+  }
+  if (phase == "transition" || phase == "roll" || phase == "stop") {
+    return Zone::Corner;
+  }
+  return phase == "accelerate" ? Zone::Leaving : Zone::None;
+}
+
+ProfileColumns columnsOf(const job::Job& job) {
+  ProfileColumns columns;
+  if (job.pieces.empty()) {
+    return columns;
+  }
+  job::Sampler sampler(job);
+  reserve(columns, sampler.count());
+  while (!sampler.done()) {
+    const job::Sample row = sampler.next();
+    append(columns, {row.setPoint.time, row.setPoint.position, row.setPoint.velocity, row.setPoint.axisAcceleration,
+                     row.speed, row.path, row.contour, row.segment, job::name(row.phase), row.corner, row.distance});
+  }
+  return columns;
+}
+
+ProfileColumns columnsOf(std::span<const files::ProfileRow> rows) {
+  ProfileColumns columns;
+  reserve(columns, rows.size());
+  for (const files::ProfileRow& row : rows) {
+    append(columns, row);
+  }
+  return columns;
+}
+
+ProfileLimits limitsOf(const job::Job& job) {
+  ProfileLimits limits;
+  limits.feed = job.recipe.feedPerSecond();
+  limits.accelX = job.recipe.accelX; // under the combined rule too, which does not keep them: then it shows
+  limits.accelY = job.recipe.accelY;
+  limits.wheelRadius = job.recipe.wheelRadius;
+  for (const toolpath::Corner& corner : job.toolpath.corners) {
+    limits.corners.push_back({corner.id, corner.angle, std::nullopt});
+    if (corner.treatment == toolpath::Treatment::Transition) { // a roll lifts nothing
+      limits.corners.back().reliefRadius = job.recipe.wheelRadius + corner.tipDepth;
+    }
+  }
+  return limits;
+}
+
+ProfileCurves curvesOf(const ProfileColumns& columns, const QString& name) {
+  ProfileCurves curves;
+  curves.name = name;
+  if (columns.time.empty()) {
+    return curves;
+  }
+  curves.duration = columns.time.back();
+  const auto [first, end] = workRows(columns);
+  curves.workFrom = columns.time[first];
+  curves.workTo = columns.time[end - 1];
+  curves.bands = bandsOf(columns);
+  for (int i = 0; i < kPanelCount; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    curves.panels[at] = curveOf(columns, static_cast<Panel>(i));
+    curves.range[at] = rangeOf(columns, static_cast<Panel>(i));
+  }
+  return curves;
+}
+
+QPolygonF thinnedCurve(const QPolygonF& curve, double xScale, double yScale, double tolerance) {
+  QPolygonF result;
+  const auto isGap = [](const QPointF& point) { return !std::isfinite(point.y()); };
+  for (auto first = curve.begin(); first != curve.end();) {
+    const auto end = std::find_if(first, curve.end(), isGap);
+    QPolygonF device;
+    for (auto point = first; point != end; ++point) {
+      device.append({point->x() * xScale, point->y() * yScale});
+    }
+    for (const QPointF& point : thinned(columnExtremes(device, 1), tolerance)) {
+      result.append({point.x() / xScale, point.y() / yScale});
+    }
+    first = std::find_if_not(end, curve.end(), isGap);
+    if (first != end) {
+      result.append({end->x(), kNothing});
+    }
+  }
+  return result;
+}
+
+} // namespace arris::ui

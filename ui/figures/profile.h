@@ -1,0 +1,82 @@
+#pragma once
+
+#include "core/files/profile_csv.h"
+#include "core/job/job.h"
+
+#include <QPolygonF>
+#include <QString>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace arris::ui {
+
+/// What a moment of a profile has to do with a corner.
+enum class Zone : std::uint8_t { None, Slowing, Corner, Leaving };
+
+/// The zone of a `phase` as the profile files spell it.
+[[nodiscard]] Zone zoneOf(std::string_view phase);
+
+/// A profile as columns of equal length, from a job or from a file: mm, s.
+struct ProfileColumns {
+  std::vector<double> time, vx, vy, ax, ay, speed;
+  std::vector<double> distance; ///< wheel centre to the corner; NaN where there is none
+  std::vector<int> contour, corner;
+  std::vector<Zone> zone;
+};
+
+/// Every row of the planned profile.
+[[nodiscard]] ProfileColumns columnsOf(const job::Job& job);
+
+/// A profile that was read back from a file.
+[[nodiscard]] ProfileColumns columnsOf(std::span<const files::ProfileRow> rows);
+
+/// What the curves are held against; absent where it is not known.
+struct ProfileLimits {
+  struct Corner {
+    int id = 0;
+    double angle = 0;                   ///< β, rad
+    std::optional<double> reliefRadius; ///< R + d, mm
+  };
+
+  std::optional<double> feed;           ///< mm/s
+  std::optional<double> accelX, accelY; ///< mm/s²
+  std::optional<double> wheelRadius;    ///< mm
+  std::vector<Corner> corners;
+};
+
+[[nodiscard]] ProfileLimits limitsOf(const job::Job& job);
+
+/// The panels of the plot, from top to bottom.
+enum class Panel { SpeedX, SpeedY, AccelerationX, AccelerationY, Speed, Distance };
+inline constexpr int kPanelCount = 6;
+
+/// The time over which one zone of one corner lasts, s.
+struct CornerBand {
+  int corner = 0;
+  Zone zone = Zone::None;
+  double from = 0;
+  double to = 0;
+};
+
+/// A profile made ready for plotting: curves over time, thinned to what a screen can show at any sensible zoom.
+struct ProfileCurves {
+  QString name;                              ///< for the legend: "planned", "actual"
+  std::array<QPolygonF, kPanelCount> panels; ///< x: s; y: mm/s, mm/s² or mm; NaN for gaps
+  std::vector<CornerBand> bands;
+  double duration = 0;             ///< s
+  double workFrom = 0, workTo = 0; ///< s, from the first lead-in to the last lead-out; all where there is no contour
+  std::array<std::pair<double, double>, kPanelCount> range{}; ///< least and greatest value within the work
+};
+
+[[nodiscard]] ProfileCurves curvesOf(const ProfileColumns& columns, const QString& name);
+
+/// A curve over time as it looks where `xScale` and `yScale` are device units per s and per unit of value: dense
+/// stretches are reduced to what the pen would draw, all within `tolerance` device units. NaN stays a gap.
+[[nodiscard]] QPolygonF thinnedCurve(const QPolygonF& curve, double xScale, double yScale, double tolerance);
+
+} // namespace arris::ui

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "ui/figures/figure.h"
+#include "ui/figures/profile.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace arris::ui {
+
+/// A lying page of A4 with the profile plot over the time of the work, under a heading. One profile, or two (planned
+/// and actual) over each other. Numbers with a decimal point.
+[[nodiscard]] Figure profileFigure(std::vector<ProfileCurves> profiles, ProfileLimits limits, QString heading,
+                                   QString subheading);
+
+/// The figure of a planned job.
+[[nodiscard]] Figure profileFigure(const job::Job& job, const QString& file);
+
+} // namespace arris::ui

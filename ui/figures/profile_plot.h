@@ -1,0 +1,78 @@
+#pragma once
+
+#include "ui/figures/profile.h"
+#include "ui/figures/style.h"
+
+#include <qcustomplot.h>
+
+#include <array>
+#include <vector>
+
+namespace arris::ui {
+
+class CornerBands;
+
+/// Velocity and acceleration of X and Y, path speed and distance to the corner over one time axis, with the corners
+/// marked and the limits drawn; after the paper's Figures 8 and 10. The window shows it, figures are printed from it.
+class ProfilePlot : public QCustomPlot {
+  Q_OBJECT
+
+public:
+  explicit ProfilePlot(const FigureStyle& style, QWidget* parent = nullptr);
+
+  /// Shows up to two profiles, the second drawn thin over the first (planned, then actual). `keepView` leaves the time
+  /// range as it is; else the work fills the plot.
+  void setProfiles(const std::vector<ProfileCurves>& profiles, const ProfileLimits& limits, bool keepView = false);
+
+  void selectCorner(int corner);
+  void showTimes(double from, double to);
+  void showWork();
+  void showAll();
+  void zoomIn();
+  void zoomOut();
+
+  /// Reduces the curves to what shows on paper at this size, and cuts off what lies outside the panels.
+  void prepareForPrint(const QSize& size);
+
+Q_SIGNALS:
+  /// A corner's band was tapped.
+  void cornerTapped(int corner);
+
+protected:
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+private:
+  struct PanelParts {
+    QCPAxisRect* rect = nullptr;
+    std::vector<QCPGraph*> graphs;
+  };
+
+  void refresh();
+  void zoomBy(double factor);
+  void addPanel(Panel panel);
+  void addSpace(int row, int height);
+  void setTimes(const std::vector<ProfileCurves>& profiles);
+  void addCurve(PanelParts& panel, Panel kind, const ProfileCurves& curves, bool under);
+  void setRange(PanelParts& panel, Panel kind, const std::vector<ProfileCurves>& profiles, const ProfileLimits& limits);
+  void addLimits(PanelParts& panel, Panel kind, const ProfileLimits& limits);
+  void addLimitLine(PanelParts& panel, double value, const QString& words);
+  void addReliefLimits(PanelParts& panel, const ProfileLimits& limits);
+  void setAxisTitles(double height);
+  [[nodiscard]] static QString axisTitle(Panel panel, bool inWords);
+  [[nodiscard]] QColor colorOf(Panel panel) const;
+
+  FigureStyle m_style;
+  std::array<PanelParts, kPanelCount> m_panels;
+  CornerBands* m_bands = nullptr;
+  std::vector<CornerBand> m_cornerBands;
+  double m_workFrom = 0, m_workTo = 1, m_duration = 1;
+};
+
+// For the legend.
+[[nodiscard]] QPen overlaidPen(const FigureStyle& style, const QColor& color); ///< of the profile underneath
+[[nodiscard]] QPen limitPen(const FigureStyle& style);
+[[nodiscard]] QPen reliefPen(const FigureStyle& style);
+
+} // namespace arris::ui

@@ -1,0 +1,57 @@
+#include "ui/models/problem_model.h"
+
+#include "ui/text/problem_texts.h"
+#include "ui/text/quantities.h"
+#include "ui/widgets/signs.h"
+
+#include <algorithm>
+
+namespace arris::ui {
+
+void ProblemModel::setPlan(const PlanPointer& plan) {
+  beginResetModel();
+  m_problems = plan ? plan->drawing.problems : base::Problems();
+  std::stable_sort(m_problems.begin(), m_problems.end(), [](const base::Problem& a, const base::Problem& b) {
+    return base::severityOf(a) < base::severityOf(b);
+  });
+  endResetModel();
+}
+
+const base::Problem& ProblemModel::problem(int row) const {
+  return m_problems.at(static_cast<std::size_t>(row));
+}
+
+int ProblemModel::count(base::Severity severity) const {
+  return static_cast<int>(std::count_if(m_problems.begin(), m_problems.end(), [severity](const base::Problem& problem) {
+    return base::severityOf(problem) == severity;
+  }));
+}
+
+int ProblemModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(m_problems.size());
+}
+
+QVariant ProblemModel::data(const QModelIndex& index, int role) const {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) {
+    return {};
+  }
+  const base::Problem& problem = m_problems[static_cast<std::size_t>(index.row())];
+  const base::Severity severity = base::severityOf(problem);
+  if (role == Qt::DecorationRole) {
+    return signIcon(severity);
+  }
+  if (role != Qt::DisplayRole) {
+    return {};
+  }
+  QString text = severityText(severity) + QStringLiteral(": ") + problemText(problem, QLocale());
+  if (problem.line) {
+    text += QLatin1Char(' ') + tr("(line %1 of the file)").arg(*problem.line);
+  } else if (problem.where) {
+    text += QLatin1Char(' ') +
+            tr("(at X %1, Y %2 mm)")
+                .arg(fixedText(problem.where->x(), 1, QLocale()), fixedText(problem.where->y(), 1, QLocale()));
+  }
+  return text;
+}
+
+} // namespace arris::ui

@@ -1,0 +1,244 @@
+#include "ui/pages/job_page.h"
+
+#include "ui/figures/profile_plot.h"
+#include "ui/pages/findings_panel.h"
+#include "ui/pages/recipe_panel.h"
+#include "ui/text/problem_texts.h"
+#include "ui/text/quantities.h"
+#include "ui/views/drawing_view.h"
+#include "ui/widgets/signs.h"
+#include "ui/widgets/theme.h"
+
+#include <QBoxLayout>
+#include <QButtonGroup>
+#include <QLabel>
+#include <QProgressBar>
+#include <QResizeEvent>
+#include <QSplitter>
+#include <QToolButton>
+
+#include <algorithm>
+#include <array>
+
+namespace arris::ui {
+namespace {
+
+constexpr int kRecipeWidth = 236;
+constexpr int kFindingsWidth = 540;
+constexpr int kBesideFrom = 1500; // px: from this width on the findings stand beside the drawing
+constexpr int kSignSize = 24;
+constexpr int kBusyHeight = 8;
+constexpr double kPlotUnit = 0.5; // px per unit of figures
+
+enum View { DrawingOnly, ProfileOnly, Both };
+
+QToolButton* makeButton(const QString& text, const QString& name) {
+  auto* button = new QToolButton;
+  button->setText(text);
+  button->setObjectName(name);
+  button->setFocusPolicy(Qt::StrongFocus);
+  return button;
+}
+
+FigureStyle plotStyle() {
+  FigureStyle style;
+  style.unit = kPlotUnit;
+  style.locale = QLocale();
+  return style;
+}
+
+} // namespace
+
+JobPage::JobPage(Planner& planner, QWidget* parent)
+    : QWidget(parent), m_planner(planner), m_recipe(new RecipePanel(planner.recipe(), planner.machine())),
+      m_drawing(new DrawingView), m_profile(new ProfilePlot(plotStyle())), m_findings(new FindingsPanel),
+      m_stateSign(new QLabel), m_state(new QLabel), m_busy(new QProgressBar), m_viewButtons(new QButtonGroup(this)),
+      m_views(new QSplitter(Qt::Vertical)), m_split(new QSplitter(Qt::Vertical)) {
+  m_recipe->setFixedWidth(kRecipeWidth);
+  auto* middle = new QWidget;
+  auto* middleLayout = new QVBoxLayout(middle);
+  middleLayout->setContentsMargins(0, 0, 0, 0);
+  middleLayout->setSpacing(2);
+  middleLayout->addWidget(makeHeader());
+  middleLayout->addWidget(m_busy);
+  middleLayout->addWidget(makeViews(), 1);
+  m_split->addWidget(middle);
+  m_split->addWidget(m_findings);
+  m_split->setChildrenCollapsible(false);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 6, 6, 6);
+  layout->setSpacing(0);
+  layout->addWidget(m_recipe);
+  layout->addWidget(m_split, 1);
+  connectPlanner();
+  connectViews();
+  arrange();
+  showState();
+  showBusy(planner.isBusy());
+}
+
+QWidget* JobPage::makeHeader() {
+  auto* header = new QWidget;
+  auto* layout = new QHBoxLayout(header);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(6);
+  const std::array<std::pair<QString, QString>, 3> views{{{tr("Drawing"), QStringLiteral("showDrawing")},
+                                                          {tr("Profile"), QStringLiteral("showProfile")},
+                                                          {tr("Both"), QStringLiteral("showBoth")}}};
+  for (int i = 0; i < 3; ++i) {
+    const auto& [text, name] = views.at(static_cast<std::size_t>(i));
+    QToolButton* button = makeButton(text, name);
+    button->setCheckable(true);
+    button->setChecked(i == DrawingOnly);
+    m_viewButtons->addButton(button, i);
+    layout->addWidget(button);
+  }
+  m_stateSign->setFixedSize(kSignSize, kSignSize);
+  m_state->setObjectName(QStringLiteral("state"));
+  m_state->setWordWrap(true);
+  m_busy->setRange(0, 0);
+  m_busy->setTextVisible(false);
+  m_busy->setFixedHeight(kBusyHeight);
+  m_busy->setAccessibleName(tr("Planning"));
+  QSizePolicy keepsPlace = m_busy->sizePolicy();
+  keepsPlace.setRetainSizeWhenHidden(true);
+  m_busy->setSizePolicy(keepsPlace);
+  layout->addSpacing(8);
+  layout->addWidget(m_stateSign);
+  layout->addWidget(m_state, 1);
+  const auto addZoom = [&](const QString& text, const QString& name, const QString& what, auto drawing, auto plot) {
+    QToolButton* button = makeButton(text, name);
+    button->setToolTip(what);
+    button->setAccessibleName(what);
+    layout->addWidget(button);
+    connect(button, &QToolButton::clicked, this, [this, drawing, plot] {
+      if (m_viewButtons->checkedId() != ProfileOnly) {
+        (m_drawing->*drawing)();
+      }
+      if (m_viewButtons->checkedId() != DrawingOnly) {
+        (m_profile->*plot)();
+      }
+    });
+  };
+  addZoom(QStringLiteral("−"), QStringLiteral("zoomOut"), tr("Zoom out"), &DrawingView::zoomOut, &ProfilePlot::zoomOut);
+  addZoom(QStringLiteral("+"), QStringLiteral("zoomIn"), tr("Zoom in"), &DrawingView::zoomIn, &ProfilePlot::zoomIn);
+  addZoom(tr("Fit"), QStringLiteral("fit"), tr("Fit into the view"), &DrawingView::fit, &ProfilePlot::showWork);
+  return header;
+}
+
+QWidget* JobPage::makeViews() {
+  m_views->addWidget(m_drawing);
+  m_views->addWidget(m_profile);
+  m_views->setChildrenCollapsible(false);
+  return m_views;
+}
+
+void JobPage::connectPlanner() {
+  connect(m_recipe, &RecipePanel::recipeChanged, &m_planner, &Planner::setRecipe);
+  connect(m_recipe, &RecipePanel::openRequested, this, &JobPage::openRequested);
+  connect(&m_planner, &Planner::planned, this, &JobPage::showPlan);
+  connect(&m_planner, &Planner::busyChanged, this, &JobPage::showBusy);
+  connect(&m_planner, &Planner::profileReady, this, [this](const CurvesPointer& curves) {
+    m_profile->setProfiles({*curves}, limitsOf(m_plan->job), m_profileShown);
+    m_profileShown = true;
+  });
+  connect(&m_planner, &Planner::openFailed, this, [this](const base::Problem& problem) {
+    m_openProblem = problem;
+    showState();
+  });
+}
+
+void JobPage::connectViews() {
+  connect(m_drawing, &DrawingView::cornerTapped, this, [this](int corner) {
+    selectCorner(corner);
+    m_drawing->zoomToCorner(corner);
+  });
+  connect(m_profile, &ProfilePlot::cornerTapped, this, &JobPage::selectCorner);
+  connect(m_findings, &FindingsPanel::cornerChosen, this, [this](int corner) {
+    selectCorner(corner);
+    m_drawing->zoomToCorner(corner);
+  });
+  connect(m_findings, &FindingsPanel::problemChosen, this, &JobPage::showProblem);
+  connect(m_viewButtons, &QButtonGroup::idClicked, this, &JobPage::arrange);
+}
+
+void JobPage::showPlan(const PlanPointer& plan) {
+  if (!m_plan || m_plan->import->file != plan->import->file) {
+    m_profileShown = false; // another pattern: the profile is shown from the start
+  }
+  m_plan = plan;
+  m_openProblem.reset();
+  m_recipe->setPatternName(QString::fromStdString(plan->import->file.filename().string()));
+  m_drawing->setPlan(plan);
+  m_findings->setPlan(plan);
+  if (!plan->job.canBeGround()) {
+    m_profile->setProfiles({}, {});
+    m_profileShown = false;
+  }
+  showState();
+}
+
+void JobPage::showState() {
+  std::optional<base::Severity> sign;
+  if (m_openProblem) {
+    m_state->setText(problemText(*m_openProblem, QLocale()));
+    sign = base::Severity::Error;
+  } else if (!m_plan) {
+    m_state->setText(m_planner.isBusy() ? tr("Reading and planning…") : tr("No pattern is open."));
+  } else if (m_plan->job.canBeGround()) {
+    m_state->setText(
+        tr("Grinding: %1\nWhole program: %2")
+            .arg(durationText(m_plan->job.working, QLocale()), durationText(m_plan->job.duration, QLocale())));
+  } else {
+    m_state->setText(tr("Cannot be ground: see the problems."));
+    sign = base::Severity::Error;
+  }
+  m_stateSign->setPixmap(sign ? signIcon(*sign).pixmap(kSignSize) : QPixmap());
+}
+
+void JobPage::showBusy(bool busy) {
+  m_busy->setVisible(busy);
+  showState();
+}
+
+void JobPage::selectCorner(int corner) {
+  m_findings->selectCorner(corner);
+  m_drawing->selectCorner(corner);
+  m_profile->selectCorner(corner);
+}
+
+void JobPage::showProblem(const base::Problem& problem) {
+  if (problem.corner) {
+    selectCorner(*problem.corner);
+  }
+  if (problem.where) {
+    if (m_viewButtons->checkedId() == ProfileOnly) {
+      m_viewButtons->button(DrawingOnly)->click();
+    }
+    m_drawing->zoomToPlace(*problem.where);
+  }
+}
+
+// On a small window profile and findings take turns: either alone is readable, both are not.
+void JobPage::arrange() {
+  const int choice = m_viewButtons->checkedId();
+  m_drawing->setVisible(choice != ProfileOnly);
+  m_profile->setVisible(choice != DrawingOnly);
+  m_findings->setVisible(m_beside || choice == DrawingOnly);
+  m_findings->setWide(!m_beside);
+  m_split->setOrientation(m_beside ? Qt::Horizontal : Qt::Vertical);
+  m_split->setSizes(m_beside ? QList{width() - kRecipeWidth - kFindingsWidth, kFindingsWidth} : QList{5500, 4500});
+  m_views->setOrientation(m_beside ? Qt::Vertical : Qt::Horizontal);
+  m_views->setSizes({5000, 5000});
+}
+
+void JobPage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const bool beside = event->size().width() >= kBesideFrom;
+  if (beside != m_beside) {
+    m_beside = beside;
+    arrange();
+  }
+}
+
+} // namespace arris::ui

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "ui/presenters/planner.h"
+
+#include <QWidget>
+
+class QButtonGroup;
+class QLabel;
+class QProgressBar;
+class QSplitter;
+
+namespace arris::ui {
+
+class DrawingView;
+class FindingsPanel;
+class ProfilePlot;
+class RecipePanel;
+
+/// The paper's man–machine interface: values on the left, the drawing and the profile in the middle, what was found
+/// beside or below. It shows what the planner yields and hands it what is typed; it keeps nothing of its own.
+class JobPage : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit JobPage(Planner& planner, QWidget* parent = nullptr);
+
+Q_SIGNALS:
+  void openRequested();
+
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+private:
+  QWidget* makeHeader();
+  QWidget* makeViews();
+  void connectPlanner();
+  void connectViews();
+  void showPlan(const PlanPointer& plan);
+  void showState();
+  void showBusy(bool busy);
+  void selectCorner(int corner);
+  void showProblem(const base::Problem& problem);
+  void arrange();
+
+  Planner& m_planner;
+  PlanPointer m_plan;
+  std::optional<base::Problem> m_openProblem;
+  RecipePanel* m_recipe;
+  DrawingView* m_drawing;
+  ProfilePlot* m_profile;
+  FindingsPanel* m_findings;
+  QLabel* m_stateSign;
+  QLabel* m_state;
+  QProgressBar* m_busy;
+  QButtonGroup* m_viewButtons;
+  QSplitter* m_views;
+  QSplitter* m_split;
+  bool m_profileShown = false;
+  bool m_beside = false; // the findings stand beside the views, not below them
+};
+
+} // namespace arris::ui

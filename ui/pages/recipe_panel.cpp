@@ -1,0 +1,105 @@
+#include "ui/pages/recipe_panel.h"
+
+#include "core/base/numbers.h"
+#include "ui/text/quantities.h"
+#include "ui/widgets/number_edit.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+
+namespace arris::ui {
+namespace {
+
+// In the order of the paper's man–machine interface.
+constexpr std::array<std::string_view, 7> kKeys{"wheel_radius_mm", "accel_x_mm_s2", "accel_y_mm_s2", "thickness_mm",
+                                                "depth_mm",        "feed_mm_min",   "spindle_r_min"};
+
+constexpr int kComplaintLines = 4;
+
+double mostOn(const recipe::NumberField& field, const recipe::Machine& machine) {
+  if (field.member == &recipe::Recipe::accelX) {
+    return machine.maxAccel.x();
+  }
+  return field.member == &recipe::Recipe::accelY ? machine.maxAccel.y() : field.most;
+}
+
+const recipe::NumberField& fieldOf(std::string_view key) {
+  const auto fields = recipe::numberFields();
+  return *std::find_if(fields.begin(), fields.end(), [key](const recipe::NumberField& f) { return f.key == key; });
+}
+
+} // namespace
+
+double rimSpeed(const recipe::Recipe& recipe) {
+  return 2 * base::kPi * recipe.wheelRadius / 1000 * recipe.spindle / 60;
+}
+
+RecipePanel::RecipePanel(const recipe::Recipe& recipe, const recipe::Machine& machine, QWidget* parent)
+    : QWidget(parent), m_recipe(recipe), m_open(new QPushButton(tr("&Open pattern…"))), m_pattern(new QLabel),
+      m_rimSpeed(new QLabel), m_complaints(new QLabel) {
+  m_open->setObjectName(QStringLiteral("open"));
+  m_open->setShortcut(QKeySequence::Open);
+  m_complaints->setObjectName(QStringLiteral("complaints"));
+  m_complaints->setWordWrap(true);
+  m_complaints->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  m_complaints->setMinimumHeight(kComplaintLines * fontMetrics().lineSpacing()); // nothing jumps when it fills
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 8, 8, 8);
+  layout->setSpacing(5);
+  layout->addWidget(m_open);
+  layout->addWidget(m_pattern);
+  for (const std::string_view key : kKeys) {
+    const recipe::NumberField& field = fieldOf(key);
+    auto* edit = new NumberEdit(field, mostOn(field, machine), recipe.*field.member);
+    m_fields.push_back(edit);
+    layout->addWidget(edit);
+    connect(edit, &NumberEdit::valueChanged, this, [this, edit] { take(*edit); });
+    connect(edit, &NumberEdit::complaintChanged, this, &RecipePanel::showComplaints);
+  }
+  layout->addWidget(m_rimSpeed);
+  layout->addWidget(m_complaints, 1);
+  connect(m_open, &QPushButton::clicked, this, &RecipePanel::openRequested);
+  setPatternName({});
+  showRimSpeed();
+}
+
+void RecipePanel::setPatternName(const QString& name) {
+  m_pattern->setToolTip(name);
+  m_pattern->setText(name.isEmpty() ? tr("No pattern yet")
+                                    : fontMetrics().elidedText(name, Qt::ElideMiddle, width() - 16));
+}
+
+NumberEdit* RecipePanel::field(std::string_view key) const {
+  const auto found = std::find_if(m_fields.begin(), m_fields.end(),
+                                  [key](const NumberEdit* edit) { return edit->field().key == key; });
+  return found != m_fields.end() ? *found : nullptr;
+}
+
+void RecipePanel::take(const NumberEdit& field) {
+  m_recipe.*field.field().member = field.value();
+  showRimSpeed();
+  Q_EMIT recipeChanged(m_recipe);
+}
+
+void RecipePanel::showRimSpeed() {
+  m_rimSpeed->setText(tr("Rim speed: %1 m/s").arg(fixedText(rimSpeed(m_recipe), 1, QLocale())));
+}
+
+void RecipePanel::showComplaints() {
+  QStringList complaints;
+  for (const NumberEdit* edit : m_fields) {
+    if (!edit->complaint().isEmpty()) {
+      complaints += edit->complaint();
+    }
+  }
+  if (!complaints.isEmpty()) {
+    complaints += tr("The drawing still shows the last valid values.");
+  }
+  m_complaints->setText(complaints.join(QLatin1Char('\n')));
+}
+
+} // namespace arris::ui

@@ -1,0 +1,103 @@
+#include "ui/text/job_texts.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace arris::ui {
+
+const std::vector<const char*>& fieldNames() {
+  static const std::vector<const char*> kNames = {
+      QT_TRANSLATE_NOOP("Recipe", "Wheel radius"),
+      QT_TRANSLATE_NOOP("Recipe", "Thickness of the wheel"),
+      QT_TRANSLATE_NOOP("Recipe", "Fine adjustment of the grinding height"),
+      QT_TRANSLATE_NOOP("Recipe", "Normal grinding depth"),
+      QT_TRANSLATE_NOOP("Recipe", "Thickness of the glass"),
+      QT_TRANSLATE_NOOP("Recipe", "Underside of the glass above the table"),
+      QT_TRANSLATE_NOOP("Recipe", "Wheel's lower face above the glass when traversing"),
+      QT_TRANSLATE_NOOP("Recipe", "Feed"),
+      QT_TRANSLATE_NOOP("Recipe", "Acceleration of the X axis"),
+      QT_TRANSLATE_NOOP("Recipe", "Acceleration of the Y axis"),
+      QT_TRANSLATE_NOOP("Recipe", "Acceleration of the Z axis"),
+      QT_TRANSLATE_NOOP("Recipe", "Spindle speed"),
+      QT_TRANSLATE_NOOP("Recipe", "Transition speed at sharp corners"),
+      QT_TRANSLATE_NOOP("Recipe", "Size correction (positive leaves the pane larger)"),
+      QT_TRANSLATE_NOOP("Recipe", "Radius of the lead-in and lead-out"),
+      QT_TRANSLATE_NOOP("Recipe", "Overlap past the start"),
+      QT_TRANSLATE_NOOP("Recipe", "Rotation of the pattern"),
+      QT_TRANSLATE_NOOP("Recipe", "Gaps up to this are closed"),
+      QT_TRANSLATE_NOOP("Recipe", "Tolerance of fitting chopped curves"),
+  };
+  return kNames;
+}
+
+QString fieldText(const recipe::NumberField& field) {
+  return QCoreApplication::translate("Recipe", std::string(field.what).c_str());
+}
+
+QString phaseText(job::Phase phase) {
+  static constexpr std::array<const char*, job::kPhaseCount> kNames = {
+      QT_TRANSLATE_NOOP("Phase", "Approach"),   QT_TRANSLATE_NOOP("Phase", "Plunge"),
+      QT_TRANSLATE_NOOP("Phase", "Lead-in"),    QT_TRANSLATE_NOOP("Phase", "Cruise"),
+      QT_TRANSLATE_NOOP("Phase", "Decelerate"), QT_TRANSLATE_NOOP("Phase", "Transition"),
+      QT_TRANSLATE_NOOP("Phase", "Roll"),       QT_TRANSLATE_NOOP("Phase", "Stop"),
+      QT_TRANSLATE_NOOP("Phase", "Accelerate"), QT_TRANSLATE_NOOP("Phase", "Lead-out"),
+      QT_TRANSLATE_NOOP("Phase", "Retract"),    QT_TRANSLATE_NOOP("Phase", "Traverse"),
+  };
+  return QCoreApplication::translate("Phase", kNames.at(static_cast<std::size_t>(phase)));
+}
+
+QString cornerKindText(toolpath::CornerKind kind) {
+  switch (kind) {
+  case toolpath::CornerKind::Sharp:
+    return QCoreApplication::translate("Corner", "sharp");
+  case toolpath::CornerKind::Blunt:
+    return QCoreApplication::translate("Corner", "blunt");
+  case toolpath::CornerKind::Concave:
+    return QCoreApplication::translate("Corner", "concave");
+  }
+  return {};
+}
+
+QString treatmentText(toolpath::Treatment treatment) {
+  switch (treatment) {
+  case toolpath::Treatment::Transition:
+    return QCoreApplication::translate("Corner", "transition");
+  case toolpath::Treatment::Roll:
+    return QCoreApplication::translate("Corner", "roll");
+  case toolpath::Treatment::Arc:
+    return QCoreApplication::translate("Corner", "arc");
+  case toolpath::Treatment::Stop:
+    return QCoreApplication::translate("Corner", "exact stop");
+  }
+  return {};
+}
+
+QString reasonText(toolpath::Reason reason) {
+  switch (reason) {
+  case toolpath::Reason::SharpWithRelief:
+    return QCoreApplication::translate("Corner", "Sharp: on a transition path the wheel lifts clear of the tip.");
+  case toolpath::Reason::SharpWithoutRelief:
+    return QCoreApplication::translate(
+        "Corner", "Sharp, but the wheel cannot lift clear of the tip: it takes the transition path all the same.");
+  case toolpath::Reason::BluntWithoutRelief:
+    return QCoreApplication::translate("Corner", "Blunt, so not fragile: the wheel rolls round the corner.");
+  }
+  return {};
+}
+
+QString limitedByText(toolpath::LimitedBy limit) {
+  switch (limit) {
+  case toolpath::LimitedBy::Angle:
+    return QCoreApplication::translate("Corner", "from the angle");
+  case toolpath::LimitedBy::AxisX:
+    return QCoreApplication::translate("Corner", "limited by the X axis");
+  case toolpath::LimitedBy::AxisY:
+    return QCoreApplication::translate("Corner", "limited by the Y axis");
+  case toolpath::LimitedBy::CornerSpeed:
+    return QCoreApplication::translate("Corner", "scaled by the corner speed");
+  }
+  return {};
+}
+
+} // namespace arris::ui

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/job/job.h"
+#include "core/recipe/fields.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace arris::ui {
+
+// The words of core in the language of the window.
+
+/// What a field of the recipe is: "Wheel radius".
+[[nodiscard]] QString fieldText(const recipe::NumberField& field);
+
+/// The English names of the fields as the translators get them; core's table has no others.
+[[nodiscard]] const std::vector<const char*>& fieldNames();
+
+[[nodiscard]] QString phaseText(job::Phase phase);
+[[nodiscard]] QString cornerKindText(toolpath::CornerKind kind);
+[[nodiscard]] QString treatmentText(toolpath::Treatment treatment);
+
+/// Why the corner is treated so, in a sentence.
+[[nodiscard]] QString reasonText(toolpath::Reason reason);
+
+/// What limits the transition speed: "by the angle".
+[[nodiscard]] QString limitedByText(toolpath::LimitedBy limit);
+
+} // namespace arris::ui

@@ -1,0 +1,135 @@
+#include "ui/text/problem_texts.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace arris::ui {
+namespace {
+
+constexpr const char* kContext = "Problem";
+
+// A figure as the table's own function writes it, up to six significant digits, but in the operator's numbers.
+QString valueText(const base::Value& value, QLocale locale) {
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  if (const auto* number = std::get_if<double>(&value.value)) {
+    return locale.toString(*number, 'g', 6);
+  }
+  if (const auto* count = std::get_if<std::int64_t>(&value.value)) {
+    return locale.toString(static_cast<qlonglong>(*count));
+  }
+  return QString::fromStdString(std::get<std::string>(value.value));
+}
+
+} // namespace
+
+const std::vector<const char*>& problemTemplates() {
+  // One for each code, in the order of the enumeration.
+  static const std::vector<const char*> kTemplates = {
+      QT_TRANSLATE_NOOP("Problem", "{file} cannot be opened: {reason}."),
+      QT_TRANSLATE_NOOP("Problem", "{file} cannot be read: {reason}."),
+      QT_TRANSLATE_NOOP("Problem", "{file} cannot be written: {reason}."),
+      QT_TRANSLATE_NOOP("Problem", "{file} is not valid JSON: {reason}."),
+      QT_TRANSLATE_NOOP("Problem", "{file} has no \"{key}\": it is not such a file."),
+      QT_TRANSLATE_NOOP("Problem",
+                        "{file} was written by a newer Arris (\"{key}\": {version}); this one reads up to {known}."),
+      QT_TRANSLATE_NOOP("Problem", "{file} has a key \"{key}\" that Arris does not know; it is ignored."),
+      QT_TRANSLATE_NOOP("Problem", "{name} must be {expected}, not {value}."),
+      QT_TRANSLATE_NOOP("Problem", "{name} must be a number in {unit}, not \"{value}\"."),
+      QT_TRANSLATE_NOOP("Problem", "{name} is {value} {unit}; it must be from {least} to {most} {unit}."),
+      QT_TRANSLATE_NOOP("Problem", "{name} is {value} {unit}; the machine allows {most} {unit} at most."),
+      QT_TRANSLATE_NOOP("Problem", "{name} is \"{value}\"; it must be one of: {choices}."),
+      QT_TRANSLATE_NOOP("Problem", "{name} has no effect yet; leave it at {default}."),
+      QT_TRANSLATE_NOOP("Problem", "{file} is not a profile of Arris: {reason}."),
+      QT_TRANSLATE_NOOP("Problem", "The pattern file is empty."),
+      QT_TRANSLATE_NOOP("Problem", "This is a binary DXF file, which is not read yet; save it as ASCII DXF."),
+      QT_TRANSLATE_NOOP("Problem", "This is not a DXF file: {reason}."),
+      QT_TRANSLATE_NOOP("Problem", "The lines end in carriage returns alone; save the file with LF or CR LF."),
+      QT_TRANSLATE_NOOP("Problem", "A group code is expected here, not {found}."),
+      QT_TRANSLATE_NOOP("Problem", "Group {group} must hold a finite number, not {found}."),
+      QT_TRANSLATE_NOOP("Problem",
+                        "Group {group} holds {found}, which is absurd for a pane of glass (more than {most})."),
+      QT_TRANSLATE_NOOP("Problem", "The file ends early: {reason}. It was cut off."),
+      QT_TRANSLATE_NOOP("Problem", "The sections of the file are broken: {reason}."),
+      QT_TRANSLATE_NOOP("Problem", "{entity} announces {announced} {what} but has {found}."),
+      QT_TRANSLATE_NOOP("Problem", "{entity} lacks group {group} ({what})."),
+      QT_TRANSLATE_NOOP("Problem", "{entity} has {what} {value}, which cannot be."),
+      QT_TRANSLATE_NOOP("Problem", "The file does not say its unit; millimetres are assumed."),
+      QT_TRANSLATE_NOOP("Problem", "The file gives its unit as number {number}, which is not mm, cm, m, inch or foot; "
+                                   "say the unit with --units."),
+      QT_TRANSLATE_NOOP("Problem", "{count} × {entity} not read yet; the contour would lack it."),
+      QT_TRANSLATE_NOOP("Problem", "{count} × {entity} not flat in a plane parallel to the XY plane."),
+      QT_TRANSLATE_NOOP("Problem", "{count} × {entity} passed over: {reason}."),
+      QT_TRANSLATE_NOOP("Problem", "{count} more of {code} are not listed."),
+      QT_TRANSLATE_NOOP("Problem", "A doubled piece of {size_mm} mm was removed."),
+      QT_TRANSLATE_NOOP("Problem", "A piece without length ({size_mm} mm) was removed."),
+      QT_TRANSLATE_NOOP("Problem", "A gap of {size_mm} mm was closed."),
+      QT_TRANSLATE_NOOP(
+          "Problem",
+          "The contour is open here: the next free end is {gap_mm} mm away (up to {tolerance_mm} mm are joined)."),
+      QT_TRANSLATE_NOOP("Problem", "{count} pieces meet here; a contour cannot branch."),
+      QT_TRANSLATE_NOOP("Problem", "The drawing has no closed contour."),
+      QT_TRANSLATE_NOOP("Problem", "The drawing has {count} contours; only a single outline can be ground yet."),
+      QT_TRANSLATE_NOOP("Problem", "The contour encloses no area."),
+      QT_TRANSLATE_NOOP("Problem", "The contour crosses or touches itself here."),
+      QT_TRANSLATE_NOOP("Problem",
+                        "The contour has a concave corner of {angle_deg}° here; such corners cannot be ground yet."),
+      QT_TRANSLATE_NOOP(
+          "Problem",
+          "The contour turns back on itself here, in a tip of {angle_deg}°; that is a mistake of the drawing."),
+      QT_TRANSLATE_NOOP(
+          "Problem", "The wheel of {wheel_mm} mm radius does not fit into the hollow of {radius_mm} mm radius here."),
+      QT_TRANSLATE_NOOP(
+          "Problem", "The wheel would touch another part of the glass here: {distance_mm} mm from the wheel's centre."),
+      QT_TRANSLATE_NOOP(
+          "Problem",
+          "Corner {corner}: the wheel lifts by {lift_mm} mm, less than the {depth_mm} mm of glass at the tip."),
+      QT_TRANSLATE_NOOP("Problem", "Corner {corner} takes {time_s} s."),
+      QT_TRANSLATE_NOOP("Problem", "The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the "
+                                   "glass and has {distance_mm} mm."),
+      QT_TRANSLATE_NOOP("Problem", "The overlap is {used_mm} mm, a quarter of the contour, instead of {wanted_mm} mm."),
+      QT_TRANSLATE_NOOP("Problem", "The wheel path leaves the travel of the machine by {excess_mm} mm: {what}."),
+      QT_TRANSLATE_NOOP("Problem", "The wheel's lower face would be {height_mm} mm above the table while grinding; it "
+                                   "must stay {least_mm} mm above."),
+      QT_TRANSLATE_NOOP("Problem", "The {what} height of {height_mm} mm is outside the travel of 0 to {most_mm} mm."),
+      QT_TRANSLATE_NOOP("Problem",
+                        "The grinding height of {height_mm} mm is above the clearance height of {clearance_mm} mm."),
+      QT_TRANSLATE_NOOP(
+          "Problem",
+          "The machine's greatest speed of the {axis} axis is below the feed; it limits the speed on the contour."),
+      QT_TRANSLATE_NOOP("Problem", "Internal error: {reason}."),
+  };
+  return kTemplates;
+}
+
+QString problemText(const base::Problem& problem, const QLocale& locale) {
+  const auto row = static_cast<std::size_t>(problem.code);
+  const QString text = QCoreApplication::translate(kContext, problemTemplates().at(row));
+  QString result;
+  qsizetype done = 0;
+  for (qsizetype open = text.indexOf('{'); open >= 0; open = text.indexOf('{', open + 1)) {
+    const qsizetype close = text.indexOf('}', open);
+    const std::string name = text.mid(open + 1, close - open - 1).toStdString();
+    const auto value = std::find_if(problem.values.begin(), problem.values.end(),
+                                    [&](const base::Value& candidate) { return candidate.name == name; });
+    if (close > open && value != problem.values.end()) {
+      result += text.mid(done, open - done) + valueText(*value, locale);
+      done = close + 1;
+    }
+  }
+  return result + text.mid(done);
+}
+
+QString severityText(base::Severity severity) {
+  switch (severity) {
+  case base::Severity::Error:
+    return QCoreApplication::translate(kContext, "Error");
+  case base::Severity::Warning:
+    return QCoreApplication::translate(kContext, "Warning");
+  case base::Severity::Note:
+    return QCoreApplication::translate(kContext, "Note");
+  }
+  return {};
+}
+
+} // namespace arris::ui

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/base/problem.h"
+
+#include <QLocale>
+#include <QString>
+
+#include <vector>
+
+namespace arris::ui {
+
+/// The sentence of a problem in the language of the window, with its numbers in `locale`.
+[[nodiscard]] QString problemText(const base::Problem& problem, const QLocale& locale);
+
+/// "error", "warning", "note" in the language of the window.
+[[nodiscard]] QString severityText(base::Severity severity);
+
+/// The English templates as the translators get them, in the order of the codes; equal to core's table.
+[[nodiscard]] const std::vector<const char*>& problemTemplates();
+
+} // namespace arris::ui

@@ -1,0 +1,59 @@
+#include "ui/text/quantities.h"
+
+#include "core/base/numbers.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace arris::ui {
+namespace {
+
+QLocale withoutGroups(QLocale locale) {
+  locale.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator);
+  return locale;
+}
+
+} // namespace
+
+QString fixedText(double value, int decimals, const QLocale& locale) {
+  const double unit = std::pow(10, decimals);
+  const double rounded = std::round(value * unit) / unit;
+  return withoutGroups(locale).toString(rounded == 0 ? 0.0 : rounded, 'f', decimals); // never "-0"
+}
+
+QString numberText(double value, int decimals, const QLocale& locale) {
+  QString text = fixedText(value, decimals, locale);
+  const QString zero = locale.zeroDigit();
+  const QString point = locale.decimalPoint();
+  if (text.contains(point)) {
+    while (text.endsWith(zero)) {
+      text.chop(zero.size());
+    }
+    if (text.endsWith(point)) {
+      text.chop(point.size());
+    }
+  }
+  return text;
+}
+
+QString angleText(double radians, const QLocale& locale) {
+  return numberText(base::degrees(radians), 1, locale) + QStringLiteral("°");
+}
+
+QString durationText(double seconds, const QLocale& locale) {
+  const double tenths = std::round(seconds * 10);
+  if (tenths < 600) {
+    return QCoreApplication::translate("Quantities", "%1 s").arg(fixedText(tenths / 10, 1, locale));
+  }
+  if (tenths < 36000) {
+    const double minutes = std::floor(tenths / 600);
+    return QCoreApplication::translate("Quantities", "%1 min %2 s")
+        .arg(fixedText(minutes, 0, locale), fixedText((tenths - 600 * minutes) / 10, 1, locale));
+  }
+  const int minutes = static_cast<int>(std::round(tenths / 600));
+  return QCoreApplication::translate("Quantities", "%1 h %2 min")
+      .arg(fixedText(minutes / 60, 0, locale), QStringLiteral("%1").arg(minutes % 60, 2, 10, QLatin1Char('0')));
+}
+
+} // namespace arris::ui

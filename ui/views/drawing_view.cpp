@@ -1,0 +1,303 @@
+#include "ui/views/drawing_view.h"
+
+#include "ui/figures/drawing_legend.h"
+#include "ui/figures/drawing_painter.h"
+
+#include <QApplication>
+#include <QGestureEvent>
+#include <QMouseEvent>
+#include <QPinchGesture>
+#include <QScrollBar>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace arris::ui {
+namespace {
+
+constexpr double kPixelsPerUnit = 0.56; // 27 units of text are 15 px
+constexpr double kFitMargin = 64;       // px: room for the corners' numbers
+constexpr double kZoomStep = 1.5;
+constexpr double kLeastScale = 0.01; // px per mm
+constexpr double kMostScale = 2000;
+constexpr double kTapReach = 26;    // px
+constexpr double kMarkRadius = 20;  // px
+constexpr double kCornerRoom = 1.8; // of the widest point of a transition
+constexpr double kPlaceRoom = 60;   // mm round a marked place
+constexpr double kSceneRoom = 20;   // times the drawing's size can be panned
+
+constexpr int kLegendFromWidth = 700; // px
+constexpr int kLegendFromHeight = 420;
+constexpr double kLegendRow = 36; // units of figures
+constexpr double kLegendWidth = 420;
+
+double distance(const QPointF& a, const QPointF& b) {
+  return std::hypot(a.x() - b.x(), a.y() - b.y());
+}
+
+} // namespace
+
+DrawingView::DrawingView(QWidget* parent) : QGraphicsView(parent) {
+  m_style.unit = kPixelsPerUnit;
+  m_style.locale = QLocale();
+  setScene(new QGraphicsScene(this));
+  setViewportUpdateMode(FullViewportUpdate);
+  setDragMode(ScrollHandDrag);
+  setTransformationAnchor(NoAnchor);
+  setResizeAnchor(AnchorViewCenter);
+  setRenderHint(QPainter::Antialiasing);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  viewport()->setCursor(Qt::ArrowCursor);
+  viewport()->grabGesture(Qt::PinchGesture);
+  setAccessibleName(tr("Drawing"));
+  setMinimumSize(200, 150);
+}
+
+void DrawingView::setPlan(PlanPointer plan) {
+  const bool another = !m_plan || !plan || m_plan->import->file != plan->import->file;
+  m_plan = std::move(plan);
+  m_labelsValid = false;
+  if (another) {
+    m_selected = 0;
+    m_marked.reset();
+  }
+  if (m_plan && !m_plan->drawing.box.isEmpty()) {
+    const geometry::Box& box = m_plan->drawing.box;
+    const QRectF shown(toQt(box.min()), toQt(box.max()));
+    const double room = kSceneRoom * std::max({shown.width(), shown.height(), 1.0});
+    scene()->setSceneRect(shown.adjusted(-room, -room, room, room));
+  }
+  if (another || m_fitted) {
+    fit();
+  }
+  viewport()->update();
+}
+
+void DrawingView::selectCorner(int corner) {
+  m_selected = corner;
+  m_marked.reset();
+  viewport()->update();
+}
+
+void DrawingView::zoomToCorner(int corner) {
+  if (!m_plan) {
+    return;
+  }
+  for (const CornerMark& mark : m_plan->drawing.corners) {
+    if (mark.id == corner) {
+      const geometry::Vector room = geometry::Vector::Constant(kCornerRoom * std::max(mark.clearance, 1.0));
+      showBox(geometry::Box(mark.s - room, mark.s + room), 0);
+      m_fitted = false;
+    }
+  }
+}
+
+void DrawingView::zoomToPlace(const geometry::Point& place) {
+  const geometry::Vector room = geometry::Vector::Constant(kPlaceRoom);
+  m_marked = place;
+  showBox(geometry::Box(place - room, place + room), 0);
+  m_fitted = false;
+}
+
+void DrawingView::fit() {
+  m_fitted = true;
+  if (m_plan && !m_plan->drawing.box.isEmpty()) {
+    showBox(m_plan->drawing.box, kFitMargin);
+  }
+}
+
+void DrawingView::showBox(const geometry::Box& box, double margin) {
+  const double width = std::max(viewport()->width() - 2 * margin, 50.0);
+  const double height = std::max(viewport()->height() - 2 * margin, 50.0);
+  const geometry::Vector size = box.sizes().cwiseMax(1e-3);
+  setScale(std::min(width / size.x(), height / size.y()));
+  centerOn(toQt(box.center()));
+  viewport()->update();
+}
+
+void DrawingView::setScale(double pixelsPerMillimetre) {
+  const double scale = std::clamp(pixelsPerMillimetre, kLeastScale, kMostScale);
+  setTransform(QTransform::fromScale(scale, -scale));
+}
+
+double DrawingView::pixelsPerMillimetre() const {
+  return transform().m11();
+}
+
+void DrawingView::zoomBy(double factor) {
+  const QPointF middle = mapToScene(viewport()->rect().center());
+  setScale(pixelsPerMillimetre() * factor);
+  centerOn(middle);
+  m_fitted = false;
+  viewport()->update();
+}
+
+void DrawingView::zoomIn() {
+  zoomBy(kZoomStep);
+}
+
+void DrawingView::zoomOut() {
+  zoomBy(1 / kZoomStep);
+}
+
+QRectF DrawingView::frame() const {
+  return QRectF(viewport()->rect());
+}
+
+// Placing takes longer than painting, so a pan takes the labels along until it has gone half a view away.
+void DrawingView::placeLabels() {
+  const QTransform now = viewportTransform();
+  const QPointF moved = now.map(QPointF()) - m_labelsFor.map(QPointF());
+  const bool zoomed = std::abs(now.m11() - m_labelsFor.m11()) > 1e-9 * now.m11();
+  const bool far = std::abs(moved.x()) > frame().width() / 2 || std::abs(moved.y()) > frame().height() / 2;
+  if (m_labelsValid && !zoomed && !far) {
+    for (CornerLabel& label : m_labels) {
+      label.anchor += moved;
+      label.badge.translate(moved);
+      label.box.translate(moved);
+    }
+  } else {
+    const QRectF room =
+        frame().adjusted(-frame().width() / 2, -frame().height() / 2, frame().width() / 2, frame().height() / 2);
+    m_labels = placeCornerLabels(m_plan->drawing, now, room, m_style);
+  }
+  m_labelsFor = now;
+  m_labelsValid = true;
+}
+
+void DrawingView::drawBackground(QPainter* painter, const QRectF& /*rect*/) {
+  painter->save();
+  painter->resetTransform();
+  painter->fillRect(frame(), m_style.palette.paper);
+  if (m_plan) {
+    const QTransform toView = viewportTransform();
+    paintDrawing(*painter, m_plan->drawing, toView, frame(), m_style);
+    placeLabels();
+    paintCornerLabels(*painter, m_labels, m_selected, m_style);
+    paintLegend(*painter);
+    if (m_marked) {
+      painter->setPen(QPen(m_style.palette.ink, 3));
+      painter->setBrush(Qt::NoBrush);
+      painter->drawEllipse(toView.map(toQt(*m_marked)), kMarkRadius, kMarkRadius);
+    }
+  } else {
+    painter->setPen(m_style.palette.faint);
+    painter->setFont(font());
+    painter->drawText(frame(), Qt::AlignCenter | Qt::TextWordWrap, tr("Open a pattern (DXF), or drop one here."));
+  }
+  painter->restore();
+}
+
+// In the lower left corner, where the view is large enough to spare the room.
+void DrawingView::paintLegend(QPainter& painter) const {
+  if (viewport()->width() < kLegendFromWidth || viewport()->height() < kLegendFromHeight) {
+    return;
+  }
+  const std::vector<LegendEntry> entries = legendOf(m_plan->drawing);
+  const double row = kLegendRow * m_style.unit;
+  const double inset = row / 2;
+  const double height = row * static_cast<double>(entries.size());
+  QPointF left(inset, frame().bottom() - height);
+  painter.fillRect(QRectF(0, left.y() - inset, kLegendWidth * m_style.unit, height + inset), m_style.palette.paper);
+  for (const LegendEntry& entry : entries) {
+    entry.sample(painter, left, m_style);
+    painter.setPen(m_style.palette.ink);
+    painter.setFont(m_style.font(kSmallTextHeight));
+    painter.drawText(QRectF(left.x() + (kLegendSample + 15) * m_style.unit, left.y(), 0, 0),
+                     Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, entry.words);
+    left.ry() += row;
+  }
+}
+
+int DrawingView::cornerAt(const QPointF& place) const {
+  if (!m_plan) {
+    return 0;
+  }
+  for (const CornerLabel& label : m_labels) {
+    const double grow = std::max(0.0, kTapReach - label.box.height() / 2);
+    if (label.box.adjusted(-grow, -grow, grow, grow).contains(place)) {
+      return label.corner;
+    }
+  }
+  int nearest = 0;
+  double best = kTapReach;
+  for (const CornerMark& mark : m_plan->drawing.corners) {
+    const double away = distance(viewportTransform().map(toQt(mark.s)), place);
+    if (away < best) {
+      best = away;
+      nearest = mark.id;
+    }
+  }
+  return nearest;
+}
+
+QRectF DrawingView::labelOf(int corner) const {
+  const auto label = std::find_if(m_labels.begin(), m_labels.end(),
+                                  [corner](const CornerLabel& candidate) { return candidate.corner == corner; });
+  return label != m_labels.end() ? label->box : QRectF();
+}
+
+void DrawingView::mousePressEvent(QMouseEvent* event) {
+  m_pressed = event->pos();
+  QGraphicsView::mousePressEvent(event);
+}
+
+void DrawingView::mouseReleaseEvent(QMouseEvent* event) {
+  QGraphicsView::mouseReleaseEvent(event);
+  viewport()->setCursor(Qt::ArrowCursor);
+  if ((event->pos() - m_pressed).manhattanLength() < QApplication::startDragDistance()) {
+    Q_EMIT cornerTapped(cornerAt(event->position()));
+  } else {
+    m_fitted = false;
+  }
+}
+
+void DrawingView::wheelEvent(QWheelEvent* event) {
+  const QPointF under = mapToScene(event->position().toPoint());
+  setScale(pixelsPerMillimetre() * std::pow(kZoomStep, event->angleDelta().y() / 240.0));
+  const QPointF shift = mapFromScene(under) - event->position();
+  horizontalScrollBar()->setValue(horizontalScrollBar()->value() + static_cast<int>(std::lround(shift.x())));
+  verticalScrollBar()->setValue(verticalScrollBar()->value() + static_cast<int>(std::lround(shift.y())));
+  m_fitted = false;
+  event->accept();
+}
+
+void DrawingView::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+  case Qt::Key_Plus:
+    zoomIn();
+    break;
+  case Qt::Key_Minus:
+    zoomOut();
+    break;
+  case Qt::Key_0:
+  case Qt::Key_Home:
+    fit();
+    break;
+  default:
+    QGraphicsView::keyPressEvent(event); // arrows pan
+  }
+}
+
+void DrawingView::resizeEvent(QResizeEvent* event) {
+  QGraphicsView::resizeEvent(event);
+  m_labelsValid = false;
+  if (m_fitted) {
+    fit();
+  }
+}
+
+bool DrawingView::viewportEvent(QEvent* event) {
+  if (event->type() == QEvent::Gesture) {
+    const QGesture* gesture = static_cast<QGestureEvent*>(event)->gesture(Qt::PinchGesture);
+    if (const auto* pinch = qobject_cast<const QPinchGesture*>(gesture)) {
+      zoomBy(pinch->scaleFactor());
+      return true;
+    }
+  }
+  return QGraphicsView::viewportEvent(event);
+}
+
+} // namespace arris::ui

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "ui/figures/corner_labels.h"
+#include "ui/figures/style.h"
+#include "ui/presenters/planner.h"
+
+#include <QGraphicsView>
+
+#include <vector>
+
+namespace arris::ui {
+
+/// The drawing of a plan: drag to pan, wheel or pinch to zoom, tap a corner or a problem. All of it goes by keys and by
+/// single taps on the buttons beside it too.
+class DrawingView : public QGraphicsView {
+  Q_OBJECT
+
+public:
+  explicit DrawingView(QWidget* parent = nullptr);
+
+  /// Shows a plan; another pattern is fitted into the view, the same one stays where it is.
+  void setPlan(PlanPointer plan);
+
+  void selectCorner(int corner);
+  /// Brings a corner close enough to see its transition.
+  void zoomToCorner(int corner);
+  /// Brings a place of the drawing into the middle and marks it.
+  void zoomToPlace(const geometry::Point& place);
+
+  /// The corner whose label or tip is near a place of the view; 0 where there is none.
+  [[nodiscard]] int cornerAt(const QPointF& place) const;
+  /// Where a corner's number stands in the view; an invalid rectangle where it is not shown.
+  [[nodiscard]] QRectF labelOf(int corner) const;
+
+public Q_SLOTS:
+  void fit();
+  void zoomIn();
+  void zoomOut();
+
+Q_SIGNALS:
+  /// 0: beside every corner.
+  void cornerTapped(int corner);
+
+protected:
+  void drawBackground(QPainter* painter, const QRectF& rect) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  bool viewportEvent(QEvent* event) override;
+
+private:
+  void zoomBy(double factor);
+  void setScale(double pixelsPerMillimetre);
+  void showBox(const geometry::Box& box, double margin);
+  void placeLabels();
+  void paintLegend(QPainter& painter) const;
+  [[nodiscard]] double pixelsPerMillimetre() const;
+  [[nodiscard]] QRectF frame() const;
+
+  PlanPointer m_plan;
+  FigureStyle m_style;
+  std::vector<CornerLabel> m_labels;
+  QTransform m_labelsFor; // the view when the labels were placed
+  bool m_labelsValid = false;
+  int m_selected = 0;
+  std::optional<geometry::Point> m_marked;
+  bool m_fitted = true; // the view follows the size of the window until somebody zooms or pans
+  QPoint m_pressed;
+};
+
+} // namespace arris::ui

@@ -1,0 +1,90 @@
+#include "ui/widgets/corner_card.h"
+
+#include "ui/text/job_texts.h"
+#include "ui/text/quantities.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace arris::ui {
+namespace {
+
+constexpr int kFiguresHeight = 14; // px
+
+} // namespace
+
+CornerCard::CornerCard(QWidget* parent)
+    : QWidget(parent), m_title(new QLabel), m_reason(new QLabel), m_figures(new QLabel) {
+  QFont bold = font();
+  bold.setBold(true);
+  m_title->setFont(bold);
+  m_title->setObjectName(QStringLiteral("cornerTitle"));
+  m_figures->setObjectName(QStringLiteral("cornerFigures"));
+  m_figures->setTextFormat(Qt::RichText);
+  QFont smaller = font();
+  smaller.setPixelSize(kFiguresHeight);
+  m_figures->setFont(smaller);
+  m_figures->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  for (QLabel* label : {m_title, m_reason, m_figures}) {
+    label->setWordWrap(true);
+  }
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(10, 6, 10, 6);
+  layout->setSpacing(4);
+  layout->addWidget(m_title);
+  layout->addWidget(m_reason);
+  layout->addWidget(m_figures);
+  layout->addStretch(1);
+  show({}, 0);
+}
+
+void CornerCard::show(const PlanPointer& plan, int corner) {
+  const auto corners = plan ? static_cast<int>(plan->job.toolpath.corners.size()) : 0;
+  const bool known = corner >= 1 && corner <= corners;
+  m_reason->setVisible(known);
+  m_figures->setVisible(known);
+  if (!known) {
+    m_title->setText(corners > 0 ? tr("Tap a corner to see its figures.") : tr("No corners."));
+    return;
+  }
+  const toolpath::Corner& c = plan->job.toolpath.corners[static_cast<std::size_t>(corner - 1)];
+  m_title->setText(
+      tr("Corner %1: %2, %3").arg(QString::number(c.id), angleText(c.angle, QLocale()), treatmentText(c.treatment)));
+  m_reason->setText(reasonText(c.reason));
+  QString table = QStringLiteral("<table cellspacing='0' cellpadding='1'>");
+  for (const Row& row : rowsOf(plan->job, c)) {
+    table += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>").arg(row.symbol, row.value);
+  }
+  m_figures->setText(table + QStringLiteral("</table>"));
+}
+
+std::vector<CornerCard::Row> CornerCard::rowsOf(const job::Job& job, const toolpath::Corner& corner) {
+  const QLocale locale;
+  const auto number = [&](double value, int decimals) { return fixedText(value, decimals, locale); };
+  std::vector<Row> rows;
+  if (corner.treatment == toolpath::Treatment::Transition) {
+    rows = {
+        {tr("Speed v<sub>trans</sub>"),
+         tr("%1 mm/s, %2").arg(number(corner.transitionSpeed, 2), limitedByText(corner.limitedBy))},
+        {tr("Blending a, t<sub>m</sub>"),
+         tr("%1 mm/s², %2 s").arg(number(corner.blendAcceleration, 4), number(corner.blendTime, 3))},
+        {tr("Widest, leg ℓ"), tr("%1 mm, %2 mm").arg(number(corner.widest, 3), number(corner.leg, 3))},
+        {tr("Relief"), (corner.relief ? tr("yes: lifts %1, needs %2 mm") : tr("no: lifts %1, needs %2 mm"))
+                           .arg(number(corner.widest - job.recipe.wheelRadius, 3), number(corner.tipDepth, 3))},
+    };
+  } else {
+    rows = {{tr("Radius of the roll"), tr("%1 mm").arg(number(corner.widest, 3))}};
+  }
+  const auto index = static_cast<std::size_t>(corner.id - 1);
+  if (index < job.cornerResults.size()) {
+    const job::CornerResult& result = job.cornerResults[index];
+    rows.push_back(
+        {tr("Planned"), tr("%1 mm/s, %2 s").arg(number(result.plannedSpeed, 2), number(result.plannedTime, 3))});
+    rows.push_back(
+        {tr("Slowing L<sub>d</sub>, L<sub>a</sub>"),
+         tr("%1 mm, %2 mm").arg(number(result.decelerationLength, 2), number(result.accelerationLength, 2))});
+  }
+  return rows;
+}
+
+} // namespace arris::ui

@@ -1,0 +1,79 @@
+#include "ui/widgets/theme.h"
+
+#include <QApplication>
+#include <QFont>
+#include <QPalette>
+#include <QStyleFactory>
+
+namespace arris::ui {
+namespace {
+
+constexpr int kTextHeight = 15; // px
+
+QPalette greys() {
+  QPalette palette;
+  palette.setColor(QPalette::Window, QColor(0xe4e6e8));
+  palette.setColor(QPalette::WindowText, QColor(0x1f2428));
+  palette.setColor(QPalette::Base, QColor(0xffffff));
+  palette.setColor(QPalette::AlternateBase, QColor(0xf4f5f6));
+  palette.setColor(QPalette::Text, QColor(0x1f2428));
+  palette.setColor(QPalette::PlaceholderText, QColor(0x6b747b));
+  palette.setColor(QPalette::Button, QColor(0xf4f5f6));
+  palette.setColor(QPalette::ButtonText, QColor(0x1f2428));
+  palette.setColor(QPalette::Highlight, QColor(0x44525c));
+  palette.setColor(QPalette::HighlightedText, QColor(0xffffff));
+  palette.setColor(QPalette::Mid, QColor(0xb4babe));
+  palette.setColor(QPalette::Dark, QColor(0x8a9298));
+  return palette;
+}
+
+constexpr const char* kStyleSheet = R"(
+QPushButton, QToolButton {
+  min-height: 44px; min-width: 44px; padding: 0 10px;
+  border: 1px solid #8a9298; border-radius: 4px; background: #f4f5f6;
+}
+QPushButton:pressed, QToolButton:pressed { background: #cdd2d5; }
+QPushButton:checked, QToolButton:checked { background: #44525c; color: #ffffff; }
+QPushButton:disabled, QToolButton:disabled { color: #8a9298; border-color: #c6cbce; }
+QLineEdit {
+  min-height: 40px; padding: 0 8px; font-size: 18px;
+  border: 2px solid #8a9298; border-radius: 4px; background: #ffffff;
+}
+QLineEdit[invalid="true"] { border: 2px solid #b3261e; background: #fdf3f2; }
+QPushButton:focus, QToolButton:focus, QLineEdit:focus, QAbstractItemView:focus, QGraphicsView:focus {
+  border: 3px solid #1f2428;
+}
+QTabBar::tab {
+  min-height: 44px; min-width: 44px; padding: 0 14px;
+  border: 1px solid #b4babe; border-bottom: none; background: #d6dadd;
+}
+QTabBar::tab:selected { background: #f4f5f6; font-weight: bold; }
+QTabBar::tab:focus { border: 3px solid #1f2428; }
+QTabWidget::pane { border: 1px solid #b4babe; background: #f4f5f6; }
+QTableView { font-size: 14px; }
+QHeaderView { font-size: 13px; }
+QTableView, QListView, QGraphicsView { border: 1px solid #b4babe; background: #ffffff; }
+QHeaderView::section {
+  padding: 3px 2px; border: none; border-right: 1px solid #d6dadd; border-bottom: 1px solid #8a9298; background: #eceeef;
+}
+QScrollBar:vertical { width: 24px; background: #eceeef; }
+QScrollBar:horizontal { height: 24px; background: #eceeef; }
+QScrollBar::handle { background: #a9b0b5; min-height: 44px; min-width: 44px; border-radius: 4px; margin: 3px; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QSplitter::handle { background: #cdd2d5; }
+QProgressBar { border: 1px solid #8a9298; border-radius: 3px; background: #ffffff; }
+QProgressBar::chunk { background: #44525c; }
+)";
+
+} // namespace
+
+void applyTheme(QApplication& application) {
+  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setPalette(greys());
+  QFont font(QStringLiteral("DejaVu Sans"));
+  font.setPixelSize(kTextHeight);
+  QApplication::setFont(font);
+  application.setStyleSheet(QString::fromLatin1(kStyleSheet));
+}
+
+} // namespace arris::ui
