@@ -24,7 +24,7 @@ using Fields = std::vector<std::string_view>;
 using Order = std::array<std::size_t, kProfileColumns.size()>;
 
 // A text of the file in a message.
-std::string shown(std::string_view text) {
+std::string clipped(std::string_view text) {
   constexpr std::size_t kLongest = 30;
   std::string result(text.substr(0, kLongest));
   std::replace_if(
@@ -147,7 +147,7 @@ private:
     const auto value = base::parseNumber<double>(field(columnIndex));
     if (!value || !std::isfinite(*value)) {
       fail(fmt::format("{} must be a finite number, not \"{}\"", kProfileColumns[columnIndex],
-                       shown(field(columnIndex))));
+                       clipped(field(columnIndex))));
     }
     return value.value_or(0);
   }
@@ -162,7 +162,7 @@ private:
     const auto value = base::parseNumber<int>(field(columnIndex));
     if (!value || *value < 0) {
       fail(fmt::format("{} must be a whole number from 0 on, not \"{}\"", kProfileColumns[columnIndex],
-                       shown(field(columnIndex))));
+                       clipped(field(columnIndex))));
     }
     return value.value_or(0);
   }
@@ -170,7 +170,7 @@ private:
   std::string_view phase() {
     const auto word = phaseOf(field(column::kPhase));
     if (!word) {
-      fail(fmt::format("\"{}\" is no phase", shown(field(column::kPhase))));
+      fail(fmt::format("\"{}\" is no phase", clipped(field(column::kPhase))));
     }
     return word.value_or("");
   }

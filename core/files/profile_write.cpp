@@ -16,14 +16,14 @@ constexpr int kDigits = 12;
 /// A speed or acceleration below this is rounding, mm/s and mm/s².
 constexpr double kNothing = 1e-12;
 
-constexpr std::size_t kPiece = std::size_t{1} << 18; ///< bytes given to the output at a time
+constexpr std::size_t kRowsPiece = std::size_t{1} << 18; ///< bytes given to the output at a time
 constexpr std::size_t kLongestRow = 1024;
 constexpr std::ptrdiff_t kLongestNumber = 32;
 
 /// Rows as text, gathered into large pieces.
 class Rows {
 public:
-  explicit Rows(Output& output) : m_output(output), m_buffer(kPiece + kLongestRow, '\0'), m_end(m_buffer.data()) {}
+  explicit Rows(Output& output) : m_output(output), m_buffer(kRowsPiece + kLongestRow, '\0'), m_end(m_buffer.data()) {}
 
   void header() {
     for (const std::string_view name : kProfileColumns) {
@@ -108,7 +108,7 @@ private:
   // The last separator becomes the end of the line.
   void endRow() {
     m_end[-1] = '\n';
-    if (static_cast<std::size_t>(m_end - m_buffer.data()) >= kPiece) {
+    if (static_cast<std::size_t>(m_end - m_buffer.data()) >= kRowsPiece) {
       flush();
     }
   }

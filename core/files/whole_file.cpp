@@ -196,14 +196,14 @@ Expected<void> replaceFile(const path& file, const path& target, const struct st
   return {};
 }
 
-constexpr std::size_t kPiece = std::size_t{1} << 20;
+constexpr std::size_t kReadPiece = std::size_t{1} << 20;
 
 // False with errno.
 bool readAll(int descriptor, std::string& text) {
   std::size_t size = 0;
   while (size <= kLargestFile) {
-    text.resize(std::max(text.size(), size + kPiece));
-    const ssize_t count = read(descriptor, text.data() + size, text.size() - size);
+    text.resize(std::max(text.size(), size + kReadPiece));
+    const ssize_t count = ::read(descriptor, text.data() + size, text.size() - size);
     if (count == 0) {
       text.resize(size);
       return true;
@@ -268,7 +268,7 @@ Expected<std::string> readFile(const path& file) {
     return failure(Code::CannotRead, file, EFBIG);
   }
   std::string text;
-  text.reserve(static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)) + kPiece + 1);
+  text.reserve(static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)) + kReadPiece + 1);
   if (!readAll(descriptor.number(), text)) {
     return failure(Code::CannotRead, file, errno);
   }

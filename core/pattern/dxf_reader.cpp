@@ -22,7 +22,7 @@ using geometry::Point;
 constexpr double kStraight = 1e-9;
 
 /// No arc of a pane has a larger radius, mm.
-constexpr double kMostRadius = 1e9;
+constexpr double kMostBulgeRadius = 1e9;
 
 constexpr std::int64_t kClosed = 1;
 
@@ -154,7 +154,7 @@ private:
     const double bulge = std::abs(start.bulge);
     if (bulge * chord / 2 < kStraight) {
       m_read.pieces.emplace_back(Line{from, to});
-    } else if (chord * (bulge + 1 / bulge) / 4 > kMostRadius) {
+    } else if (chord * (bulge + 1 / bulge) / 4 > kMostBulgeRadius) {
       m_read.problems.push_back(
           Problem(Code::DxfEntityValue,
                   {{"entity", std::string(m_entity->type)}, {"what", "a bulge of"}, {"value", start.bulge}})

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 
-const std::string kTriangle = sample("triangle.dxf");
+const std::string kPane = sample("triangle.dxf");
 
 // One line that names the file, and the status for what the system cannot do.
 void expectOneLineAbout(const Outcome& outcome, const std::string& file) {
@@ -32,8 +32,8 @@ TEST(Inputs, ThatAreMissingAreNamed) {
   const std::string missing = (scratch / "missing").string();
   expectOneLineAbout(arris({"plan", missing}), missing);
   expectOneLineAbout(arris({"inspect", missing}), missing);
-  expectOneLineAbout(arris({"plan", kTriangle, "--recipe", missing}), missing);
-  expectOneLineAbout(arris({"plan", kTriangle, "--machine", missing}), missing);
+  expectOneLineAbout(arris({"plan", kPane, "--recipe", missing}), missing);
+  expectOneLineAbout(arris({"plan", kPane, "--machine", missing}), missing);
   expectOneLineAbout(arris({"plot", missing, "-o", (scratch / "a.svg").string()}), missing);
   expectEmpty(scratch);
 }
@@ -43,20 +43,20 @@ TEST(Inputs, ThatAreFoldersAreNamed) {
   const std::string folder = (scratch / "x").parent_path().string();
   expectOneLineAbout(arris({"plan", folder}), folder);
   expectOneLineAbout(arris({"inspect", folder}), folder);
-  expectOneLineAbout(arris({"plan", kTriangle, "--recipe", folder}), folder);
+  expectOneLineAbout(arris({"plan", kPane, "--recipe", folder}), folder);
 }
 
 TEST(Outputs, InAFolderThatIsNotThereAreRefused) {
   const Scratch scratch;
   const std::string file = (scratch / "none/report.json").string();
-  expectOneLineAbout(arris({"plan", kTriangle, "--report", file}), file);
+  expectOneLineAbout(arris({"plan", kPane, "--report", file}), file);
   expectEmpty(scratch);
 }
 
 TEST(Outputs, InThePlaceOfAFolderAreRefused) {
   const Scratch scratch;
   const std::string folder = (scratch / "x").parent_path().string();
-  expectOneLineAbout(arris({"plan", kTriangle, "--profile", folder}), folder);
+  expectOneLineAbout(arris({"plan", kPane, "--profile", folder}), folder);
   expectEmpty(scratch);
 }
 
@@ -64,7 +64,7 @@ TEST(Outputs, OnAFullDiskAreNamedAndTheOthersWritten) {
   const Scratch scratch;
   const std::string gcode = (scratch / "a.ngc").string();
   for (const char* option : {"--report", "--profile"}) {
-    const Outcome outcome = arris({"plan", kTriangle, option, "/dev/full", "--gcode", gcode});
+    const Outcome outcome = arris({"plan", kPane, option, "/dev/full", "--gcode", gcode});
     EXPECT_EQ(outcome.status, 4);
     EXPECT_THAT(outcome.err, HasSubstr("/dev/full"));
     EXPECT_THAT(contentOf(gcode), HasSubstr("M30"));
@@ -73,14 +73,14 @@ TEST(Outputs, OnAFullDiskAreNamedAndTheOthersWritten) {
 
 TEST(Outputs, WhereNobodyMayWriteAreNamed) {
   const std::string file = "/proc/arris.svg";
-  expectOneLineAbout(arris({"plan", kTriangle, "--preview", file}), file);
+  expectOneLineAbout(arris({"plan", kPane, "--preview", file}), file);
 }
 
 TEST(Outputs, StayAsTheyWereWhenTheJobCannotBeGround) {
   const Scratch scratch;
   const std::string gcode = (scratch / "a.ngc").string();
   writeTo(gcode, "of yesterday");
-  EXPECT_EQ(arris({"plan", kTriangle, "--place", "1400,0", "--gcode", gcode}).status, 1);
+  EXPECT_EQ(arris({"plan", kPane, "--place", "1400,0", "--gcode", gcode}).status, 1);
   EXPECT_EQ(contentOf(gcode), "of yesterday");
 }
 
@@ -89,7 +89,7 @@ TEST(Outputs, LeaveNothingHalfWrittenWhenInterrupted) {
   const fs::path folder = (scratch / "x").parent_path();
   // At this feed the profile has some hundred million rows.
   const Outcome outcome =
-      interruptedArris({"plan", kTriangle, "--feed", "1", "--profile", (scratch / "a.csv").string()},
+      interruptedArris({"plan", kPane, "--feed", "1", "--profile", (scratch / "a.csv").string()},
                        [&] { return !fs::is_empty(folder); });
   EXPECT_EQ(outcome.status, 130);
   EXPECT_THAT(outcome.err, testing::EndsWith("arris: interrupted\n"));
@@ -112,7 +112,7 @@ TEST(RecipeFile, ThatIsMalformedOrOfANewerArrisIsRefused) {
        {"", "{", "[1]", "{}", "{\"arris_recipe\": 2}", "{\"arris_recipe\": 1, \"feed_mm_min\": 0}",
         "{\"arris_recipe\": 1, \"feed_mm_min\": \"fast\"}", "{\"arris_recipe\": 1, \"wheel_radius_mm\": 1e999}",
         "{\"arris_recipe\": 1, \"smooth_mm\": 0.5}"}) {
-    const Outcome outcome = arris({"plan", kTriangle, "--recipe", recipeWith(scratch, content)});
+    const Outcome outcome = arris({"plan", kPane, "--recipe", recipeWith(scratch, content)});
     EXPECT_EQ(outcome.status, 2) << content;
     EXPECT_THAT(outcome.err, testing::StartsWith("error: ")) << content;
   }
@@ -121,7 +121,7 @@ TEST(RecipeFile, ThatIsMalformedOrOfANewerArrisIsRefused) {
 TEST(RecipeFile, MayHoldAKeyThatArrisDoesNotKnow) {
   const Scratch scratch;
   const Outcome outcome =
-      arris({"plan", kTriangle, "--recipe", recipeWith(scratch, "{\"arris_recipe\": 1, \"colour\": \"blue\"}")});
+      arris({"plan", kPane, "--recipe", recipeWith(scratch, "{\"arris_recipe\": 1, \"colour\": \"blue\"}")});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("warning"), HasSubstr("colour")));
 }
@@ -130,7 +130,7 @@ TEST(RecipeFile, GivesWayToOptions) {
   const Scratch scratch;
   const std::string recipe = recipeWith(scratch, "{\"arris_recipe\": 1, \"feed_mm_min\": 1200, \"depth_mm\": 0.2}");
   const std::string report = (scratch / "report.json").string();
-  EXPECT_EQ(arris({"plan", kTriangle, "--recipe", recipe, "--feed", "2400", "--report", report}).status, 0);
+  EXPECT_EQ(arris({"plan", kPane, "--recipe", recipe, "--feed", "2400", "--report", report}).status, 0);
   EXPECT_THAT(contentOf(report), AllOf(HasSubstr("\"feed_mm_min\": 2400"), HasSubstr("\"depth_mm\": 0.2")));
 }
 
@@ -138,7 +138,7 @@ TEST(MachineFile, LimitsTheAccelerationsOfTheRecipe) {
   const Scratch scratch;
   const std::string machine = (scratch / "machine.json").string();
   writeTo(machine, "{\"arris_machine\": 1, \"max_accel_mm_s2\": [10, 500, 500]}");
-  const Outcome outcome = arris({"plan", kTriangle, "--machine", machine});
+  const Outcome outcome = arris({"plan", kPane, "--machine", machine});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("accel_x_mm_s2"), HasSubstr("10")));
 }

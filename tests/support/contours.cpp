@@ -4,12 +4,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 
 namespace arris::test {
 
 using geometry::Curve;
 using geometry::Point;
+
+std::vector<Curve> closedLines(const std::vector<Point>& corners) {
+  std::vector<Curve> lines;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    lines.emplace_back(geometry::Line{corners[i], corners[(i + 1) % corners.size()]});
+  }
+  return lines;
+}
+
+std::vector<base::Problem> problemsOf(const pattern::Pattern& pattern, base::Code code) {
+  std::vector<base::Problem> found;
+  std::copy_if(pattern.problems.begin(), pattern.problems.end(), std::back_inserter(found),
+               [code](const base::Problem& p) { return p.code == code; });
+  return found;
+}
 
 testing::AssertionResult areSame(const std::vector<Curve>& a, const std::vector<Curve>& b, double tolerance) {
   if (a.size() != b.size()) {

@@ -9,6 +9,12 @@
 
 namespace arris::test {
 
+/// The closed chain of lines round these corners.
+[[nodiscard]] std::vector<geometry::Curve> closedLines(const std::vector<geometry::Point>& corners);
+
+/// The problems of one code.
+[[nodiscard]] std::vector<base::Problem> problemsOf(const pattern::Pattern& pattern, base::Code code);
+
 /// Whether two chains are the same curves in the same order, their ends and middles within `tolerance`.
 [[nodiscard]] testing::AssertionResult areSame(const std::vector<geometry::Curve>& a,
                                                const std::vector<geometry::Curve>& b, double tolerance);

@@ -1,6 +1,7 @@
 #include "tests/support/panes.h"
 
 #include "core/base/numbers.h"
+#include "tests/support/contours.h"
 
 #include <cmath>
 
@@ -20,11 +21,7 @@ pattern::Pattern paneOf(std::vector<Curve> counterClockwise) {
 }
 
 pattern::Pattern polygon(const std::vector<Point>& corners) {
-  std::vector<Curve> edges;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    edges.emplace_back(Line{corners[i], corners[(i + 1) % corners.size()]});
-  }
-  return paneOf(std::move(edges));
+  return paneOf(closedLines(corners));
 }
 
 pattern::Pattern triangle600(double degrees) {

@@ -90,10 +90,12 @@ private:
 } // namespace
 
 Interpretation interpret(const std::string& program) {
-  const Scratch scratch; // the interpreter leaves its parameters in the folder where it runs
+  // The interpreter leaves its parameters in the folder where it runs and maps its tool table from a file in the home
+  // folder, which it empties first: two at once with one home bring each other down.
+  const Scratch scratch;
   std::ofstream(scratch / "program.ngc") << program;
   const std::string command =
-      "cd '" + (scratch / ".").string() + "' && rs274 -g program.ngc >calls 2>messages </dev/null";
+      "cd '" + (scratch / ".").string() + "' && HOME=$PWD rs274 -g program.ngc >calls 2>messages </dev/null";
   Interpretation result;
   result.status = std::system(command.c_str());
   result.message = textOf(scratch / "messages");

@@ -12,9 +12,9 @@ namespace arris::ui {
 namespace {
 
 // In units of figures.
-constexpr double kBadgeHeight = 40;
-constexpr double kAngleHeight = 34;
-constexpr double kGap = 8;
+constexpr double kBandBadgeHeight = 40;
+constexpr double kBandAngleHeight = 34;
+constexpr double kBandGap = 8;
 
 } // namespace
 
@@ -33,7 +33,7 @@ void CornerBands::select(int corner) {
 }
 
 int CornerBands::labelHeight() const {
-  return static_cast<int>(std::ceil((kBadgeHeight + kAngleHeight + 2 * kGap) * m_style.unit));
+  return static_cast<int>(std::ceil((kBandBadgeHeight + kBandAngleHeight + 2 * kBandGap) * m_style.unit));
 }
 
 void CornerBands::applyDefaultAntialiasingHint(QCPPainter* painter) const {
@@ -75,7 +75,7 @@ void CornerBands::drawBand(QCPPainter* painter, const CornerBand& band, double f
 void CornerBands::drawLabels(QCPPainter* painter) const {
   const QCPAxis* time = m_top->axis(QCPAxis::atBottom);
   const double unit = m_style.unit;
-  const double badgeTop = m_top->top() - labelHeight() + kGap / 2 * unit;
+  const double badgeTop = m_top->top() - labelHeight() + kBandGap / 2 * unit;
   const QFont bold = m_style.font(kSmallTextHeight, true);
   const QFont plain = m_style.font(kSmallTextHeight);
   double badgesTo = -std::numeric_limits<double>::infinity();
@@ -87,11 +87,11 @@ void CornerBands::drawLabels(QCPPainter* painter) const {
     }
     const QString number = QString::number(band.corner);
     const double width =
-        std::max(kBadgeHeight * unit, QFontMetricsF(bold).horizontalAdvance(number) + kBadgeHeight / 2 * unit);
+        std::max(kBandBadgeHeight * unit, QFontMetricsF(bold).horizontalAdvance(number) + kBandBadgeHeight / 2 * unit);
     if (middle - width / 2 < badgesTo) {
       continue;
     }
-    const QRectF badge(middle - width / 2, badgeTop, width, kBadgeHeight * unit);
+    const QRectF badge(middle - width / 2, badgeTop, width, kBandBadgeHeight * unit);
     const bool selected = band.corner == m_selected;
     painter->setPen(m_style.pen(m_style.palette.ink, kLine));
     painter->setBrush(selected ? m_style.palette.ink : m_style.palette.paper);
@@ -99,7 +99,7 @@ void CornerBands::drawLabels(QCPPainter* painter) const {
     painter->setPen(selected ? m_style.palette.paper : m_style.palette.ink);
     painter->setFont(bold);
     painter->drawText(badge, Qt::AlignCenter | Qt::TextDontClip, number);
-    badgesTo = badge.right() + kGap * unit;
+    badgesTo = badge.right() + kBandGap * unit;
 
     const auto corner = std::find_if(m_corners.begin(), m_corners.end(), [&](const ProfileLimits::Corner& candidate) {
       return candidate.id == band.corner;
@@ -112,9 +112,9 @@ void CornerBands::drawLabels(QCPPainter* painter) const {
     if (middle - half >= anglesTo) {
       painter->setPen(m_style.palette.ink);
       painter->setFont(plain);
-      painter->drawText(QRectF(middle - half, badge.bottom(), 2 * half, kAngleHeight * unit),
+      painter->drawText(QRectF(middle - half, badge.bottom(), 2 * half, kBandAngleHeight * unit),
                         Qt::AlignCenter | Qt::TextDontClip, angle);
-      anglesTo = middle + half + kGap * unit;
+      anglesTo = middle + half + kBandGap * unit;
     }
   }
 }

@@ -28,7 +28,7 @@ constexpr double kTickRoom = 0.25;
 // The distance is shown over at least this share of the wheel radius.
 constexpr double kLeastDistanceRange = 0.02;
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kLineBreak = std::numeric_limits<double>::quiet_NaN();
 
 bool isSymmetric(Panel panel) {
   return panel != Panel::Speed && panel != Panel::Distance;
@@ -310,7 +310,7 @@ void ProfilePlot::addReliefLimits(PanelParts& panel, const ProfileLimits& limits
     const auto corner = std::find_if(limits.corners.begin(), limits.corners.end(),
                                      [&](const ProfileLimits::Corner& c) { return c.id == band.corner; });
     if (band.zone == Zone::Corner && corner != limits.corners.end() && corner->reliefRadius) {
-      relief->addData({band.from, band.to, band.to}, {*corner->reliefRadius, *corner->reliefRadius, kNothing}, true);
+      relief->addData({band.from, band.to, band.to}, {*corner->reliefRadius, *corner->reliefRadius, kLineBreak}, true);
       least = std::min(least, *corner->reliefRadius);
       most = std::max(most, *corner->reliefRadius);
     }
@@ -401,7 +401,7 @@ void ProfilePlot::prepareForPrint(const QSize& size) {
         for (const QPointF& point : fine) {
           graph->addData(graph->keyAxis()->pixelToCoord(point.x()), graph->valueAxis()->pixelToCoord(point.y()));
         }
-        graph->addData(graph->keyAxis()->pixelToCoord(run.points.back().x()), kNothing);
+        graph->addData(graph->keyAxis()->pixelToCoord(run.points.back().x()), kLineBreak);
       }
     }
   }

@@ -8,7 +8,7 @@
 namespace arris::ui {
 namespace {
 
-constexpr int kTextHeight = 15; // px
+constexpr int kControlTextHeight = 15; // px
 
 QPalette greys() {
   QPalette palette;
@@ -71,7 +71,7 @@ void applyTheme(QApplication& application) {
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   QApplication::setPalette(greys());
   QFont font(QStringLiteral("DejaVu Sans"));
-  font.setPixelSize(kTextHeight);
+  font.setPixelSize(kControlTextHeight);
   QApplication::setFont(font);
   application.setStyleSheet(QString::fromLatin1(kStyleSheet));
 }

@@ -1,5 +1,6 @@
 #include "core/base/numbers.h"
 #include "core/files/gcode.h"
+#include "tests/support/lines_of.h"
 #include "tests/support/panes.h"
 #include "tests/support/random_panes.h"
 #include "tests/support/rs274.h"
@@ -12,7 +13,6 @@
 #include <clocale>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace arris::files {
 namespace {
@@ -31,15 +31,6 @@ constexpr double kPromise = 1e-3; ///< mm
 
 Job triangle(const recipe::Recipe& recipe = {}) {
   return job::planJob(test::triangle600(), recipe, {});
-}
-
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> result;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) {
-    result.push_back(line);
-  }
-  return result;
 }
 
 // The number after a letter of a block.
@@ -201,7 +192,7 @@ TEST(GCode, OfTheTriangleReadsAsPromised) {
   EXPECT_THAT(text, HasSubstr("\nG17 G21 G40 G54 G61 G90 G94\n"));
   EXPECT_THAT(text, HasSubstr("\nS6000 M3\nM8\nG4 P3\nG1 Z46 F1000\n"));
   EXPECT_THAT(text, testing::EndsWith("\nM5\nM9\nM30\n"));
-  for (const std::string& line : linesOf(text)) {
+  for (const std::string& line : test::linesOf(text)) {
     const std::string word = line.substr(0, line.find(' '));
     const bool motion = word == "G1" || word == "G2" || word == "G3" || word == "G5.1";
     EXPECT_EQ(motion, line.find(" F") != std::string::npos) << line;
@@ -210,7 +201,7 @@ TEST(GCode, OfTheTriangleReadsAsPromised) {
 
 TEST(GCode, ATransitionIsAParabolaWithItsSpeedAndTheWayToAndFromItIsSplit) {
   const Job job = triangle();
-  const std::vector<std::string> lines = linesOf(gcode(job, "triangle.dxf", TransitionForm::Spline));
+  const std::vector<std::string> lines = test::linesOf(gcode(job, "triangle.dxf", TransitionForm::Spline));
   Point at(0, 0);
   std::size_t corner = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -371,7 +362,7 @@ TEST(GCode, NamesInCommentsCannotBreakTheProgram) {
     EXPECT_TRUE(std::all_of(text.begin(), text.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
   }
   const std::string text = gcode(triangle(), std::string(5000, 'x'), TransitionForm::Spline);
-  for (const std::string& line : linesOf(text)) {
+  for (const std::string& line : test::linesOf(text)) {
     EXPECT_LT(line.size(), 255U);
   }
 }

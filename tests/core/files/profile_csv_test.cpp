@@ -1,5 +1,6 @@
 #include "core/base/numbers.h"
 #include "core/files/profile_csv.h"
+#include "tests/support/lines_of.h"
 #include "tests/support/panes.h"
 #include "tests/support/random_panes.h"
 #include "tests/support/scratch.h"
@@ -12,7 +13,6 @@
 #include <cmath>
 #include <random>
 #include <regex>
-#include <sstream>
 
 namespace arris::files {
 namespace {
@@ -24,7 +24,7 @@ using testing::HasSubstr;
 constexpr const char* kHeader = "t_s,x_mm,y_mm,z_mm,vx_mm_s,vy_mm_s,vz_mm_s,ax_mm_s2,ay_mm_s2,az_mm_s2,speed_mm_s,"
                                 "path_mm,contour,segment,phase,corner,distance_mm";
 
-const Job& triangle() {
+const Job& plannedTriangle() {
   static const Job kJob = job::planJob(test::triangle600(), {}, {});
   return kJob;
 }
@@ -37,17 +37,8 @@ std::string profileOf(const Job& job) {
 }
 
 const std::string& triangleProfile() {
-  static const std::string kText = profileOf(triangle());
+  static const std::string kText = profileOf(plannedTriangle());
   return kText;
-}
-
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> result;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) {
-    result.push_back(line);
-  }
-  return result;
 }
 
 std::vector<std::string> fieldsOf(const std::string& line) {
@@ -68,22 +59,22 @@ std::string problemOf(const std::string& text) {
 }
 
 TEST(ProfileCsv, HasTheContractsHeaderAndOneRowPerPeriodAndOneAtTheExactEnd) {
-  const std::vector<std::string> lines = linesOf(triangleProfile());
+  const std::vector<std::string> lines = test::linesOf(triangleProfile());
   EXPECT_EQ(lines.front(), kHeader);
-  EXPECT_EQ(lines.size(), 1 + job::Sampler(triangle()).count());
+  EXPECT_EQ(lines.size(), 1 + job::Sampler(plannedTriangle()).count());
   EXPECT_EQ(lines[1].substr(0, lines[1].find(",0,0,0,")), "0,0.000000000,0.000000000,120.000000000");
   for (std::size_t i = 1; i + 1 < lines.size(); ++i) { // no drift, no rounding noise in the time
     ASSERT_EQ(std::stod(lines[i]), std::stod(fmt::format("{}.{:03}", (i - 1) / 1000, (i - 1) % 1000)));
     ASSERT_LE(lines[i].find(','), 7U);
   }
-  EXPECT_NEAR(base::parseNumber<double>(fieldsOf(lines.back())[0]).value_or(0), triangle().duration, 1e-9);
+  EXPECT_NEAR(base::parseNumber<double>(fieldsOf(lines.back())[0]).value_or(0), plannedTriangle().duration, 1e-9);
   EXPECT_EQ(triangleProfile().back(), '\n');
 }
 
 TEST(ProfileCsv, PositionsHaveNineDecimalsAndTheRestAtLeastNineSignificantDigits) {
   const std::regex position("-?[0-9]+\\.[0-9]{9}");
-  job::Sampler sampler(triangle());
-  const std::vector<std::string> lines = linesOf(triangleProfile());
+  job::Sampler sampler(plannedTriangle());
+  const std::vector<std::string> lines = test::linesOf(triangleProfile());
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const job::Sample sample = sampler.next();
     if (i % 97 != 0) {
@@ -121,7 +112,7 @@ TEST(ProfileCsv, NeverShowsANegativeZero) {
 TEST(ProfileCsv, IsReadBackAsItWasWritten) {
   const auto rows = readProfile(triangleProfile(), "a.csv");
   ASSERT_TRUE(rows) << describeWithPlace(rows.error());
-  job::Sampler sampler(triangle());
+  job::Sampler sampler(plannedTriangle());
   ASSERT_EQ(rows->size(), sampler.count());
   for (const ProfileRow& row : *rows) {
     const job::Sample sample = sampler.next();
@@ -142,7 +133,7 @@ TEST(ProfileCsv, IsReadBackAsItWasWritten) {
 TEST(ProfileCsv, NoSecondDifferenceOfThePositionsIsAboveAnAxisLimit) {
   std::uint64_t seed = 4200;
   for (int i = 0; i < 5; ++i) {
-    const Job job = i == 0 ? triangle() : test::randomJob(seed);
+    const Job job = i == 0 ? plannedTriangle() : test::randomJob(seed);
     const auto rows = readProfile(profileOf(job), "a.csv");
     ASSERT_TRUE(rows);
     const double period = job.machine.period;
@@ -159,7 +150,7 @@ TEST(ProfileCsv, NoSecondDifferenceOfThePositionsIsAboveAnAxisLimit) {
 TEST(ProfileCsv, IsTheSameInEveryLocale) {
   for (const char* locale : {"de_DE.UTF-8", "zh_CN.UTF-8"}) {
     ASSERT_NE(std::setlocale(LC_ALL, locale), nullptr) << locale;
-    EXPECT_TRUE(profileOf(triangle()) == triangleProfile()) << locale;
+    EXPECT_TRUE(profileOf(plannedTriangle()) == triangleProfile()) << locale;
     EXPECT_TRUE(readProfile(triangleProfile(), "a.csv").has_value()) << locale;
     std::setlocale(LC_ALL, "C");
   }
@@ -171,10 +162,10 @@ TEST(ProfileCsv, StopsAtAFullDiskAndTellsHowFarItIs) {
     EXPECT_GT(now, share);
     share = now;
   };
-  EXPECT_FALSE(writeWholeFile("/dev/full", [&](Output& output) { writeProfile(triangle(), output, progress); }));
+  EXPECT_FALSE(writeWholeFile("/dev/full", [&](Output& output) { writeProfile(plannedTriangle(), output, progress); }));
   EXPECT_LT(share, 0.5);
   share = -1;
-  EXPECT_TRUE(writeWholeFile("/dev/null", [&](Output& output) { writeProfile(triangle(), output, progress); }));
+  EXPECT_TRUE(writeWholeFile("/dev/null", [&](Output& output) { writeProfile(plannedTriangle(), output, progress); }));
   EXPECT_GT(share, 0.8);
   EXPECT_LT(share, 1);
 }

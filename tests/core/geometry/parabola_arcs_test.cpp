@@ -9,17 +9,17 @@
 namespace arris::geometry {
 namespace {
 
-struct Case {
+struct Blend {
   double beta;   ///< degrees
   double radius; ///< of the wheel, mm
   double heading;
 };
 
-void PrintTo(const Case& row, std::ostream* stream) {
+void PrintTo(const Blend& row, std::ostream* stream) {
   *stream << "beta " << row.beta << " radius " << row.radius << " heading " << row.heading;
 }
 
-Parabola transition(const Case& row) {
+Parabola transition(const Blend& row) {
   const double leg = row.radius / std::tan(base::radians(row.beta) / 2);
   const double before = base::radians(row.heading);
   const double after = before - (base::kPi - base::radians(row.beta));
@@ -53,7 +53,7 @@ double distanceToParabola(const Parabola& p, const Point& point) {
   return distanceAt((from + to) / 2);
 }
 
-class ParabolaArcs : public testing::TestWithParam<Case> {};
+class ParabolaArcs : public testing::TestWithParam<Blend> {};
 
 TEST_P(ParabolaArcs, ArcsStayWithinTheToleranceAndAreTangentialEverywhere) {
   const Parabola parabola = transition(GetParam());
@@ -92,9 +92,9 @@ TEST_P(ParabolaArcs, ChordsStayWithinTheTolerance) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Angles, ParabolaArcs,
-                         testing::Values(Case{60, 75, 0}, Case{60, 75, 37}, Case{90, 75, 90}, Case{140, 75, -15},
-                                         Case{10, 75, 0}, Case{2, 75, 200}, Case{60, 0.5, 10}, Case{170, 0.5, 10},
-                                         Case{30, 500, 45}, Case{179, 500, 0}));
+                         testing::Values(Blend{60, 75, 0}, Blend{60, 75, 37}, Blend{90, 75, 90}, Blend{140, 75, -15},
+                                         Blend{10, 75, 0}, Blend{2, 75, 200}, Blend{60, 0.5, 10}, Blend{170, 0.5, 10},
+                                         Blend{30, 500, 45}, Blend{179, 500, 0}));
 
 TEST(ParabolaArcs, ThePapersCornerTakesFewArcs) {
   EXPECT_LE(arcsAlong(transition({60, 75, 0}), 5e-4).size(), 50u);

@@ -129,7 +129,9 @@ TEST_P(RandomPanes, EveryPointOfTheContourIsTouched) {
 /// Keeps the last positions and compares their second difference with the limits.
 class LimitWatch {
 public:
-  explicit LimitWatch(const Job& job) : m_limits(job.limits), m_period(job.machine.period) {}
+  explicit LimitWatch(const Job& job) : m_limits(job.limits), m_period(job.machine.period) {
+    m_last.fill(Eigen::Vector3d::Zero());
+  }
 
   void add(const motion::SetPoint& point) {
     m_last = {m_last[1], m_last[2], point.position};

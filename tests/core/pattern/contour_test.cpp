@@ -17,14 +17,6 @@ using geometry::Curve;
 using geometry::Line;
 using geometry::Point;
 
-std::vector<Curve> polygon(const std::vector<Point>& corners) {
-  std::vector<Curve> lines;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    lines.emplace_back(Line{corners[i], corners[(i + 1) % corners.size()]});
-  }
-  return lines;
-}
-
 std::vector<Curve> circle(double x, double y, double radius) {
   return {geometry::arcAbout({x, y}, radius, -kPi / 2, 2 * kPi)};
 }
@@ -43,7 +35,7 @@ std::vector<Code> codesOf(const Pattern& pattern) {
 }
 
 TEST(Contour, RunsCounterClockwiseFromItsLowestCorner) {
-  const Pattern pattern = joinPieces(polygon({{0, 50}, {100, 50}, {100, 0}, {0, 0}}), 0.05); // clockwise
+  const Pattern pattern = joinPieces(test::closedLines({{0, 50}, {100, 50}, {100, 0}, {0, 0}}), 0.05); // clockwise
   ASSERT_EQ(pattern.contours.size(), 1U);
   const Contour& contour = pattern.contours[0];
   EXPECT_EQ(contour.id, 1);
@@ -70,7 +62,7 @@ TEST(Contour, MakesOneOfCollinearLinesAndOfArcsOfOneCircle) {
 
 TEST(Contour, MakesOneAcrossItsStartToo) {
   // The lowest corner is not a corner: it lies in the middle of the lower side.
-  const Pattern pattern = joinPieces(polygon({{-100, 0}, {0, 0}, {100, 0}, {100, 50}, {-100, 50}}), 0.05);
+  const Pattern pattern = joinPieces(test::closedLines({{-100, 0}, {0, 0}, {100, 0}, {100, 50}, {-100, 50}}), 0.05);
   ASSERT_EQ(pattern.contours.size(), 1U);
   EXPECT_EQ(pattern.contours[0].curves.size(), 4U);
 }
@@ -106,24 +98,25 @@ class CrossesItself : public testing::TestWithParam<Crossing> {};
 INSTANTIATE_TEST_SUITE_P(
     Contour, CrossesItself,
     testing::Values(
-        Crossing{"bowTie", polygon({{0, 0}, {100, 100}, {100, 0}, {0, 100}}), {50, 50}},
-        Crossing{"unevenBowTie", polygon({{0, 0}, {120, 100}, {120, 0}, {0, 50}}), {600.0 / 15, 500.0 / 15}},
-        Crossing{"cornerOnASide", polygon({{0, 0}, {100, 0}, {100, 50}, {50, 0}, {0, 50}}), {50, 0}},
+        Crossing{"bowTie", test::closedLines({{0, 0}, {100, 100}, {100, 0}, {0, 100}}), {50, 50}},
+        Crossing{"unevenBowTie", test::closedLines({{0, 0}, {120, 100}, {120, 0}, {0, 50}}), {600.0 / 15, 500.0 / 15}},
+        Crossing{"cornerOnASide", test::closedLines({{0, 0}, {100, 0}, {100, 50}, {50, 0}, {0, 50}}), {50, 0}},
         Crossing{"slotOfNoWidth",
-                 polygon({{0, 0},
-                          {100, 0},
-                          {100, 50},
-                          {60, 50},
-                          {60, 20},
-                          {50, 20},
-                          {50, 10},
-                          {60, 10},
-                          {60, 15},
-                          {60.0001, 15},
-                          {60.0001, 50.5},
-                          {0, 50.5}}),
+                 test::closedLines({{0, 0},
+                                    {100, 0},
+                                    {100, 50},
+                                    {60, 50},
+                                    {60, 20},
+                                    {50, 20},
+                                    {50, 10},
+                                    {60, 10},
+                                    {60, 15},
+                                    {60.0001, 15},
+                                    {60.0001, 50.5},
+                                    {0, 50.5}}),
                  {60, 20}},
-        Crossing{"spike", polygon({{0, 0}, {100, 0}, {100, 50}, {100, 80}, {100, 50.5}, {0, 50.5}}), {100, 80}},
+        Crossing{
+            "spike", test::closedLines({{0, 0}, {100, 0}, {100, 50}, {100, 80}, {100, 50.5}, {0, 50.5}}), {100, 80}},
         Crossing{"arcThroughTheOppositeSide",
                  {Line{{0, 0}, {100, 0}}, geometry::arcBetween({100, 0}, {100, 40}, -kPi * 1.2),
                   Line{{100, 40}, {0, 40}}, Line{{0, 40}, {0, 0}}},
@@ -154,8 +147,8 @@ TEST_P(CrossesItself, AndIsRefusedWithThePlace) {
 TEST(Contour, ThatOnlyComesNearItselfIsNotRefused) {
   // A slot of 0.01 mm, a needle of 0.3°, a ring with a mouth of 0.005 mm.
   for (const std::vector<Curve>& pieces :
-       {polygon({{0, 0}, {100, 0}, {100, 50}, {50.01, 50}, {50.01, 20}, {50, 20}, {50, 50}, {0, 50}}),
-        polygon({{0, 0}, {100, 0}, {0, 0.5}}),
+       {test::closedLines({{0, 0}, {100, 0}, {100, 50}, {50.01, 50}, {50.01, 20}, {50, 20}, {50, 50}, {0, 50}}),
+        test::closedLines({{0, 0}, {100, 0}, {0, 0.5}}),
         std::vector<Curve>{geometry::arcAbout({0, 0}, 50, 0.00005, 2 * kPi - 0.0001),
                            Line{{50 * std::cos(0.00005), -50 * std::sin(0.00005)}, {45, -0.00225}},
                            geometry::arcAbout({0, 0}, std::hypot(45, 0.00225), -0.00005, -(2 * kPi - 0.0001)),
@@ -175,9 +168,9 @@ TEST(Contour, WithoutAreaIsDegenerate) {
 
 TEST(Contours, SeveralAreNumberedByPlaceAndToldApart) {
   // An outline with a hole and an island in it, and a second outline to the left.
-  std::vector<Curve> pieces = together(polygon({{0, 0}, {100, 0}, {100, 100}, {0, 100}}), circle(50, 50, 30));
+  std::vector<Curve> pieces = together(test::closedLines({{0, 0}, {100, 0}, {100, 100}, {0, 100}}), circle(50, 50, 30));
   pieces = together(pieces, circle(50, 50, 10));
-  pieces = together(pieces, polygon({{-50, 0}, {-20, 0}, {-20, 30}}));
+  pieces = together(pieces, test::closedLines({{-50, 0}, {-20, 0}, {-20, 30}}));
   for (std::uint64_t order = 0; order < 4; ++order) {
     const Pattern pattern = joinPieces(test::shuffled(pieces, order), 0.05);
     ASSERT_EQ(pattern.contours.size(), 4U);

@@ -1,5 +1,6 @@
 #include "core/base/numbers.h"
 #include "core/pattern/pattern.h"
+#include "tests/support/contours.h"
 #include "tests/support/dxf_text.h"
 
 #include <gmock/gmock.h>
@@ -19,14 +20,6 @@ using geometry::Line;
 using geometry::Point;
 using test::DxfText;
 using test::lineOf;
-
-/// The problems of one code.
-std::vector<base::Problem> problemsOf(const Pattern& pattern, Code code) {
-  std::vector<base::Problem> found;
-  std::copy_if(pattern.problems.begin(), pattern.problems.end(), std::back_inserter(found),
-               [code](const base::Problem& p) { return p.code == code; });
-  return found;
-}
 
 Pattern readGroups(std::string_view groups) {
   return readDxf(DxfText().insUnits(4).addGroups(groups).text(), {});
@@ -155,12 +148,12 @@ TEST_P(UnitsOf, AreTakenFromOptionThenInsunitsThenMeasurement) {
   EXPECT_EQ(pattern.unitsFrom, GetParam().from);
   ASSERT_EQ(pattern.loose.size(), 1U);
   EXPECT_NEAR(geometry::arcLength(pattern.loose[0]), 10 * GetParam().millimetres, 1e-9);
-  EXPECT_EQ(problemsOf(pattern, Code::UnitsAssumed).size(), GetParam().from == UnitsFrom::Assumed ? 1U : 0U);
+  EXPECT_EQ(test::problemsOf(pattern, Code::UnitsAssumed).size(), GetParam().from == UnitsFrom::Assumed ? 1U : 0U);
 }
 
 TEST(Units, ThatArrisDoesNotKnowAreAnError) {
   const Pattern pattern = readDxf(DxfText().insUnits(3).add(Line{{0, 0}, {10, 0}}).text(), {});
-  ASSERT_EQ(problemsOf(pattern, Code::UnitsUnknown).size(), 1U);
+  ASSERT_EQ(test::problemsOf(pattern, Code::UnitsUnknown).size(), 1U);
   EXPECT_TRUE(base::hasErrors(pattern.problems));
 }
 
@@ -183,7 +176,7 @@ TEST(Selection, CountsWhatItPassesOver) {
   ASSERT_EQ(pattern.contours.size(), 1U) << "only the circle is left";
   EXPECT_TRUE(pattern.loose.empty());
   std::vector<std::string> notes;
-  for (const base::Problem& note : problemsOf(pattern, Code::EntitiesPassedOver)) {
+  for (const base::Problem& note : test::problemsOf(pattern, Code::EntitiesPassedOver)) {
     notes.push_back(base::describe(note));
   }
   EXPECT_THAT(notes, testing::UnorderedElementsAre("2 × TEXT passed over: no part of a contour.",
@@ -196,7 +189,7 @@ TEST(Selection, CountsWhatItPassesOver) {
   EXPECT_THAT(pattern.entities, testing::UnorderedElementsAre(testing::Pair("CIRCLE", 1), testing::Pair("LINE", 4),
                                                               testing::Pair("TEXT", 2)));
   EXPECT_EQ(pattern.layers.at("Notes").at("TEXT"), 2);
-  EXPECT_EQ(problemsOf(pattern, Code::EntitiesPassedOver).front().line.has_value(), true);
+  EXPECT_EQ(test::problemsOf(pattern, Code::EntitiesPassedOver).front().line.has_value(), true);
 }
 
 TEST(Selection, TakesNothingFromBlocks) {
@@ -246,7 +239,7 @@ TEST_P(NotReadYet, IsNamedWithItsLineAndNeverDropped) {
                                .text();
   const Pattern pattern = readDxf(text, {});
   EXPECT_TRUE(base::hasErrors(pattern.problems));
-  const std::vector<base::Problem> found = problemsOf(pattern, GetParam().code);
+  const std::vector<base::Problem> found = test::problemsOf(pattern, GetParam().code);
   ASSERT_EQ(found.size(), 1U) << "one problem for the kind, with its count";
   EXPECT_EQ(found[0].values.at(0), (base::Value{"entity", GetParam().named}));
   EXPECT_EQ(found[0].values.at(1), (base::Value{"count", std::int64_t{2}}));
@@ -256,21 +249,21 @@ TEST_P(NotReadYet, IsNamedWithItsLineAndNeverDropped) {
 
 TEST(NotReadYet, HidesTheGapsThatItLeaves) {
   const Pattern pattern = readGroups("0 SPLINE\n8 X\n0 LINE\n10 0\n20 0\n11 5\n21 0");
-  EXPECT_TRUE(problemsOf(pattern, Code::OpenChain).empty());
-  EXPECT_TRUE(problemsOf(pattern, Code::NoContour).empty());
+  EXPECT_TRUE(test::problemsOf(pattern, Code::OpenChain).empty());
+  EXPECT_TRUE(test::problemsOf(pattern, Code::NoContour).empty());
   EXPECT_EQ(pattern.loose.size(), 1U);
 }
 
 TEST(Reader, TakesALineWhateverItsExtrusionSays) {
   const Pattern pattern = readGroups("0 LINE\n10 1\n20 2\n11 3\n21 4\n210 0\n220 0\n230 -1");
-  EXPECT_TRUE(problemsOf(pattern, Code::EntityNotSupported).empty());
+  EXPECT_TRUE(test::problemsOf(pattern, Code::EntityNotSupported).empty());
   ASSERT_EQ(pattern.loose.size(), 1U);
   EXPECT_TRUE(joins(pattern.loose[0], {1, 2}, {3, 4}));
 }
 
 TEST(Reader, RefusesABulgeWhoseArcIsAbsurd) {
   const Pattern pattern = readGroups("0 LWPOLYLINE\n8 0\n90 2\n10 0\n20 0\n42 1e12\n10 10\n20 0");
-  ASSERT_EQ(problemsOf(pattern, Code::DxfEntityValue).size(), 1U);
+  ASSERT_EQ(test::problemsOf(pattern, Code::DxfEntityValue).size(), 1U);
 }
 
 TEST(Reader, TakesAnArcOfRadiusZeroForAPieceWithoutLength) {

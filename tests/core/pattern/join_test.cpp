@@ -27,21 +27,6 @@ std::vector<Curve> stadium() {
           geometry::arcAbout({0, 20}, 20, kPi / 2, kPi)};
 }
 
-std::vector<Curve> polygon(const std::vector<Point>& corners) {
-  std::vector<Curve> lines;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    lines.emplace_back(Line{corners[i], corners[(i + 1) % corners.size()]});
-  }
-  return lines;
-}
-
-std::vector<base::Problem> problemsOf(const Pattern& pattern, Code code) {
-  std::vector<base::Problem> found;
-  std::copy_if(pattern.problems.begin(), pattern.problems.end(), std::back_inserter(found),
-               [code](const base::Problem& p) { return p.code == code; });
-  return found;
-}
-
 double number(const base::Problem& problem, std::string_view name) {
   for (const base::Value& value : problem.values) {
     if (value.name == name) {
@@ -75,7 +60,7 @@ TEST(Join, MakesTheSameContourWhateverTheOrderAndTheDirection) {
 }
 
 TEST(Join, ClosesGapsInTheMiddleAndTellsThem) {
-  std::vector<Curve> pieces = polygon({{0, 0}, {100, 0}, {100, 50}, {0, 50}});
+  std::vector<Curve> pieces = test::closedLines({{0, 0}, {100, 0}, {100, 50}, {0, 50}});
   pieces[1] = Line{{100.03, 0}, {100, 50}};
   const Pattern pattern = joinPieces(test::shuffled(pieces, 1), kGap);
   ASSERT_EQ(pattern.contours.size(), 1U);
@@ -129,7 +114,7 @@ TEST(Join, TakesTheNearestEndsFirst) {
       kGap);
   ASSERT_EQ(pattern.contours.size(), 1U);
   EXPECT_EQ(pattern.loose.size(), 1U);
-  EXPECT_EQ(problemsOf(pattern, Code::BranchingChain).size(), 1U);
+  EXPECT_EQ(test::problemsOf(pattern, Code::BranchingChain).size(), 1U);
 }
 
 TEST(Join, ShortChordsAreNotTakenForGaps) {
@@ -139,7 +124,7 @@ TEST(Join, ShortChordsAreNotTakenForGaps) {
     const double angle = 2 * kPi * i / kCount;
     corners.emplace_back(10 * std::cos(angle), 10 * std::sin(angle));
   }
-  const Pattern pattern = joinPieces(test::shuffled(polygon(corners), 5), kGap);
+  const Pattern pattern = joinPieces(test::shuffled(test::closedLines(corners), 5), kGap);
   ASSERT_EQ(pattern.contours.size(), 1U);
   EXPECT_TRUE(pattern.repairs.empty());
   EXPECT_FALSE(base::hasErrors(pattern.problems));
@@ -177,7 +162,7 @@ TEST(Join, DoubledCirclesAreOne) {
 }
 
 TEST(Join, TellsWhereAChainIsOpenAndHowFar) {
-  std::vector<Curve> pieces = polygon({{0, 0}, {100, 0}, {100, 50}, {0, 50}});
+  std::vector<Curve> pieces = test::closedLines({{0, 0}, {100, 0}, {100, 50}, {0, 50}});
   pieces[1] = Line{{100, 0.25}, {100, 50}};
   for (std::uint64_t order = 0; order < 5; ++order) {
     const Pattern pattern = joinPieces(test::shuffled(pieces, order), kGap);
@@ -192,10 +177,10 @@ TEST(Join, TellsWhereAChainIsOpenAndHowFar) {
 }
 
 TEST(Join, EveryGapIsToldOnce) {
-  std::vector<Curve> pieces = polygon({{0, 0}, {100, 0}, {100, 50}, {0, 50}});
+  std::vector<Curve> pieces = test::closedLines({{0, 0}, {100, 0}, {100, 50}, {0, 50}});
   pieces[1] = Line{{100, 1}, {100, 48}};
   const Pattern pattern = joinPieces(pieces, kGap);
-  const std::vector<base::Problem> open = problemsOf(pattern, Code::OpenChain);
+  const std::vector<base::Problem> open = test::problemsOf(pattern, Code::OpenChain);
   ASSERT_EQ(open.size(), 2U);
   EXPECT_NEAR(number(open[0], "gap_mm"), 1, 1e-12);
   EXPECT_NEAR(number(open[1], "gap_mm"), 2, 1e-12);
@@ -209,15 +194,15 @@ TEST(Join, ALonePieceFacesItself) {
 }
 
 TEST(Join, NamesThePlaceWherePiecesBranch) {
-  std::vector<Curve> pieces = polygon({{0, 0}, {100, 0}, {100, 50}, {0, 50}});
+  std::vector<Curve> pieces = test::closedLines({{0, 0}, {100, 0}, {100, 50}, {0, 50}});
   pieces.emplace_back(Line{{100, 0}, {0, 50}});
   const Pattern pattern = joinPieces(pieces, kGap);
-  const std::vector<base::Problem> branches = problemsOf(pattern, Code::BranchingChain);
+  const std::vector<base::Problem> branches = test::problemsOf(pattern, Code::BranchingChain);
   ASSERT_EQ(branches.size(), 2U);
   EXPECT_EQ(branches[0].where, Point(100, 0));
   EXPECT_EQ(branches[1].where, Point(0, 50));
   EXPECT_EQ(number(branches[0], "count"), 3);
-  EXPECT_TRUE(problemsOf(pattern, Code::OpenChain).empty());
+  EXPECT_TRUE(test::problemsOf(pattern, Code::OpenChain).empty());
 }
 
 TEST(Join, ListsNoMoreOfAKindThanAnybodyReads) {
@@ -226,9 +211,9 @@ TEST(Join, ListsNoMoreOfAKindThanAnybodyReads) {
     pieces.emplace_back(Line{{10.0 * i, 0}, {10.0 * i + 1, 0}});
   }
   const Pattern pattern = joinPieces(pieces, kGap);
-  const std::size_t listed = problemsOf(pattern, Code::OpenChain).size();
+  const std::size_t listed = test::problemsOf(pattern, Code::OpenChain).size();
   EXPECT_LE(listed, 20U);
-  const std::vector<base::Problem> more = problemsOf(pattern, Code::MoreNotListed);
+  const std::vector<base::Problem> more = test::problemsOf(pattern, Code::MoreNotListed);
   ASSERT_EQ(more.size(), 1U);
   EXPECT_EQ(number(more[0], "count"), 500 - static_cast<double>(listed));
 }

@@ -24,7 +24,6 @@
 namespace arris::ui {
 namespace {
 
-constexpr int kPatience = 60000; // ms; only a failing test waits as long
 constexpr QSize kSmallest(1024, 700);
 
 class Window : public testing::Test {
@@ -40,7 +39,7 @@ protected:
   }
 
   void settle() {
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !m_window.planner().isBusy(); }, kPatience));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !m_window.planner().isBusy(); }, test::kPatience));
     for (int i = 0; i < 5; ++i) { // layouts settle in turns
       QTest::qWait(1);
     }

@@ -15,10 +15,8 @@
 namespace arris::ui {
 namespace {
 
-constexpr int kPatience = 60000; // ms; only a failing test waits as long
-
 bool becomesIdle(const Planner& planner) {
-  return QTest::qWaitFor([&] { return !planner.isBusy(); }, kPatience);
+  return QTest::qWaitFor([&] { return !planner.isBusy(); }, test::kPatience);
 }
 
 PlanPointer lastPlan(const QSignalSpy& planned) {
@@ -78,7 +76,7 @@ TEST(Planner, LetsTheLatestRequestWinAndDropsWhatWasOvertaken) {
   Planner planner({}, steps);
   QSignalSpy planned(&planner, &Planner::planned);
   planner.openPattern("triangle.dxf");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return plannings == 1; }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return plannings == 1; }, test::kPatience));
   recipe::Recipe recipe;
   for (const double feed : {1000.0, 2000.0, 3000.0}) { // while the first is under way
     recipe.feed = feed;

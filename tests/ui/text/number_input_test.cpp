@@ -1,3 +1,4 @@
+#include "tests/ui/support/locales.h"
 #include "ui/text/number_input.h"
 
 #include <gtest/gtest.h>
@@ -14,8 +15,6 @@ namespace {
 
 using Kind = NumberInput::Kind;
 
-const QLocale kEnglish(QLocale::English, QLocale::UnitedStates);
-const QLocale kGerman(QLocale::German, QLocale::Germany);
 const QLocale kFrench(QLocale::French, QLocale::France);
 
 struct Case {
@@ -39,30 +38,34 @@ TEST_P(NumberInputTable, IsRead) {
 
 INSTANTIATE_TEST_SUITE_P(
     Rows, NumberInputTable,
-    testing::Values(
-        Case{"Whole", "75", kEnglish, Kind::Number, 75}, Case{"PointInEnglish", "0.13", kEnglish, Kind::Number, 0.13},
-        Case{"CommaInEnglish", "0,13", kEnglish, Kind::Number, 0.13},
-        Case{"PointInGerman", "0.13", kGerman, Kind::Number, 0.13},
-        Case{"CommaInGerman", "0,13", kGerman, Kind::Number, 0.13},
-        Case{"WithoutLeadingZero", ",5", kGerman, Kind::Number, 0.5},
-        Case{"WithoutDecimals", "12.", kEnglish, Kind::Number, 12},
-        Case{"BlanksAround", " 20 ", kEnglish, Kind::Number, 20},
-        Case{"Negative", "-1.5", kEnglish, Kind::Number, -1.5},
-        Case{"TypographicMinus", "−1,5", kGerman, Kind::Number, -1.5},
-        Case{"ThreeDecimalsThatNobodyGroups", "0.130", kGerman, Kind::Number, 0.13},
-        Case{"DecimalCommaWithThreeDecimalsInGerman", "3,600", kGerman, Kind::Number, 3.6},
-        Case{"DecimalPointWithThreeDecimalsInEnglish", "3.600", kEnglish, Kind::Number, 3.6},
-        Case{"NoGroupingByPointInFrench", "3.600", kFrench, Kind::Number, 3.6},
-        Case{"PerhapsGroupedInGerman", "3.600", kGerman, Kind::Ambiguous, 3.6, 3600},
-        Case{"PerhapsGroupedInEnglish", "3,600", kEnglish, Kind::Ambiguous, 3.6, 3600},
-        Case{"Grouped", "1,234,567", kEnglish, Kind::NotANumber, 0},
-        Case{"GroupedWithDecimals", "1.234,5", kGerman, Kind::NotANumber, 0},
-        Case{"GroupedByBlanks", "3 600", kFrench, Kind::NotANumber, 0}, Case{"Empty", "", kEnglish, Kind::Empty, 0},
-        Case{"Blank", "  ", kEnglish, Kind::Empty, 0}, Case{"Word", "abc", kEnglish, Kind::NotANumber, 0},
-        Case{"NotANumber", "nan", kEnglish, Kind::NotANumber, 0},
-        Case{"Infinite", "inf", kEnglish, Kind::NotANumber, 0}, Case{"Exponent", "1e3", kEnglish, Kind::NotANumber, 0},
-        Case{"SignAlone", "-", kEnglish, Kind::NotANumber, 0}, Case{"PointAlone", ".", kEnglish, Kind::NotANumber, 0},
-        Case{"TwoSigns", "--1", kEnglish, Kind::NotANumber, 0}),
+    testing::Values(Case{"Whole", "75", test::kEnglish, Kind::Number, 75},
+                    Case{"PointInEnglish", "0.13", test::kEnglish, Kind::Number, 0.13},
+                    Case{"CommaInEnglish", "0,13", test::kEnglish, Kind::Number, 0.13},
+                    Case{"PointInGerman", "0.13", test::kGerman, Kind::Number, 0.13},
+                    Case{"CommaInGerman", "0,13", test::kGerman, Kind::Number, 0.13},
+                    Case{"WithoutLeadingZero", ",5", test::kGerman, Kind::Number, 0.5},
+                    Case{"WithoutDecimals", "12.", test::kEnglish, Kind::Number, 12},
+                    Case{"BlanksAround", " 20 ", test::kEnglish, Kind::Number, 20},
+                    Case{"Negative", "-1.5", test::kEnglish, Kind::Number, -1.5},
+                    Case{"TypographicMinus", "−1,5", test::kGerman, Kind::Number, -1.5},
+                    Case{"ThreeDecimalsThatNobodyGroups", "0.130", test::kGerman, Kind::Number, 0.13},
+                    Case{"DecimalCommaWithThreeDecimalsInGerman", "3,600", test::kGerman, Kind::Number, 3.6},
+                    Case{"DecimalPointWithThreeDecimalsInEnglish", "3.600", test::kEnglish, Kind::Number, 3.6},
+                    Case{"NoGroupingByPointInFrench", "3.600", kFrench, Kind::Number, 3.6},
+                    Case{"PerhapsGroupedInGerman", "3.600", test::kGerman, Kind::Ambiguous, 3.6, 3600},
+                    Case{"PerhapsGroupedInEnglish", "3,600", test::kEnglish, Kind::Ambiguous, 3.6, 3600},
+                    Case{"Grouped", "1,234,567", test::kEnglish, Kind::NotANumber, 0},
+                    Case{"GroupedWithDecimals", "1.234,5", test::kGerman, Kind::NotANumber, 0},
+                    Case{"GroupedByBlanks", "3 600", kFrench, Kind::NotANumber, 0},
+                    Case{"Empty", "", test::kEnglish, Kind::Empty, 0},
+                    Case{"Blank", "  ", test::kEnglish, Kind::Empty, 0},
+                    Case{"Word", "abc", test::kEnglish, Kind::NotANumber, 0},
+                    Case{"NotANumber", "nan", test::kEnglish, Kind::NotANumber, 0},
+                    Case{"Infinite", "inf", test::kEnglish, Kind::NotANumber, 0},
+                    Case{"Exponent", "1e3", test::kEnglish, Kind::NotANumber, 0},
+                    Case{"SignAlone", "-", test::kEnglish, Kind::NotANumber, 0},
+                    Case{"PointAlone", ".", test::kEnglish, Kind::NotANumber, 0},
+                    Case{"TwoSigns", "--1", test::kEnglish, Kind::NotANumber, 0}),
     [](const testing::TestParamInfo<Case>& row) { return std::string(row.param.name); });
 
 } // namespace

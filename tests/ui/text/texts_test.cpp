@@ -1,4 +1,5 @@
 #include "core/base/numbers.h"
+#include "tests/ui/support/locales.h"
 #include "ui/text/job_texts.h"
 #include "ui/text/problem_texts.h"
 #include "ui/text/quantities.h"
@@ -7,9 +8,6 @@
 
 namespace arris::ui {
 namespace {
-
-const QLocale kEnglish(QLocale::English, QLocale::UnitedStates);
-const QLocale kGerman(QLocale::German, QLocale::Germany);
 
 TEST(ProblemTexts, AreTheTemplatesOfCoreInTheSameOrder) {
   ASSERT_EQ(problemTemplates().size(), base::allCodes().size());
@@ -21,7 +19,7 @@ TEST(ProblemTexts, AreTheTemplatesOfCoreInTheSameOrder) {
 TEST(ProblemTexts, HaveTheirNumbersInTheOperatorsLocale) {
   const base::Problem gap(base::Code::OpenChain, {{"gap_mm", 1234.5}, {"tolerance_mm", 0.05}});
   EXPECT_EQ(problemText(gap, QLocale::c()).toStdString(), base::describe(gap));
-  EXPECT_TRUE(problemText(gap, kGerman).contains(QStringLiteral("1234,5 mm")));
+  EXPECT_TRUE(problemText(gap, test::kGerman).contains(QStringLiteral("1234,5 mm")));
 }
 
 TEST(ProblemTexts, DoNotTakeBracesInAFileForNames) {
@@ -40,26 +38,26 @@ TEST(FieldTexts, CoverEveryFieldOfTheRecipe) {
 }
 
 TEST(Quantities, AreShortAndNeverGrouped) {
-  EXPECT_EQ(numberText(75, 3, kEnglish), QStringLiteral("75"));
-  EXPECT_EQ(numberText(0.13, 6, kGerman), QStringLiteral("0,13"));
-  EXPECT_EQ(numberText(60000, 2, kEnglish), QStringLiteral("60000"));
-  EXPECT_EQ(numberText(1200, 0, kEnglish), QStringLiteral("1200"));
-  EXPECT_EQ(fixedText(12345.678, 1, kGerman), QStringLiteral("12345,7"));
-  EXPECT_EQ(fixedText(-0.0001, 2, kEnglish), QStringLiteral("0.00"));
+  EXPECT_EQ(numberText(75, 3, test::kEnglish), QStringLiteral("75"));
+  EXPECT_EQ(numberText(0.13, 6, test::kGerman), QStringLiteral("0,13"));
+  EXPECT_EQ(numberText(60000, 2, test::kEnglish), QStringLiteral("60000"));
+  EXPECT_EQ(numberText(1200, 0, test::kEnglish), QStringLiteral("1200"));
+  EXPECT_EQ(fixedText(12345.678, 1, test::kGerman), QStringLiteral("12345,7"));
+  EXPECT_EQ(fixedText(-0.0001, 2, test::kEnglish), QStringLiteral("0.00"));
 }
 
 TEST(Quantities, AnglesHaveAtMostOneDecimal) {
-  EXPECT_EQ(angleText(base::radians(60), kEnglish), QStringLiteral("60°"));
-  EXPECT_EQ(angleText(base::radians(89.46), kGerman), QStringLiteral("89,5°"));
+  EXPECT_EQ(angleText(base::radians(60), test::kEnglish), QStringLiteral("60°"));
+  EXPECT_EQ(angleText(base::radians(89.46), test::kGerman), QStringLiteral("89,5°"));
 }
 
 TEST(Quantities, DurationsNeverShowSixtySeconds) {
-  EXPECT_EQ(durationText(12.34, kEnglish), QStringLiteral("12.3 s"));
-  EXPECT_EQ(durationText(59.96, kEnglish), QStringLiteral("1 min 0.0 s"));
-  EXPECT_EQ(durationText(75.614, kEnglish), QStringLiteral("1 min 15.6 s"));
-  EXPECT_EQ(durationText(119.97, kEnglish), QStringLiteral("2 min 0.0 s"));
-  EXPECT_EQ(durationText(3599.97, kEnglish), QStringLiteral("1 h 00 min"));
-  EXPECT_EQ(durationText(7500, kEnglish), QStringLiteral("2 h 05 min"));
+  EXPECT_EQ(durationText(12.34, test::kEnglish), QStringLiteral("12.3 s"));
+  EXPECT_EQ(durationText(59.96, test::kEnglish), QStringLiteral("1 min 0.0 s"));
+  EXPECT_EQ(durationText(75.614, test::kEnglish), QStringLiteral("1 min 15.6 s"));
+  EXPECT_EQ(durationText(119.97, test::kEnglish), QStringLiteral("2 min 0.0 s"));
+  EXPECT_EQ(durationText(3599.97, test::kEnglish), QStringLiteral("1 h 00 min"));
+  EXPECT_EQ(durationText(7500, test::kEnglish), QStringLiteral("2 h 05 min"));
 }
 
 } // namespace
