@@ -16,10 +16,10 @@ namespace fs = std::filesystem;
 using base::Code;
 using base::Problem;
 
-constexpr const char* kGroup = "Outputs";
+constexpr const char* kOutputGroup = "Outputs";
 
 void addFile(CLI::App& call, const char* option, fs::path& file, const char* kind, const char* what) {
-  call.add_option(option, file, what)->type_name(kind)->group(kGroup);
+  call.add_option(option, file, what)->type_name(kind)->group(kOutputGroup);
 }
 
 /// One file under two names, also through links. What is not a regular file (a pipe, /dev/null) may be named twice.

@@ -102,7 +102,7 @@ ExitStatus plot(const Arguments& arguments) {
     curves.push_back(*std::move(loaded));
   }
   const Offscreen offscreen;
-  const ui::Figure figure = ui::profileFigure(std::move(curves), *limits, nameOf(profiles.front()), {});
+  const ui::Figure figure = ui::profileFigure(curves, *limits, nameOf(profiles.front()), {});
   const auto written = writeFigure(figure, picture);
   return written ? ExitStatus::Done : tellAndJudge({written.error()});
 }

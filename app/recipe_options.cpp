@@ -24,7 +24,7 @@ using recipe::PlaceField;
 using recipe::Recipe;
 using Options = std::map<std::string, const CLI::Option*, std::less<>>;
 
-constexpr const char* kGroup = "Recipe";
+constexpr const char* kRecipeGroup = "Recipe";
 
 /// What an option was given as; nothing where it was not.
 std::optional<std::string> given(const Options& options, std::string_view option) {
@@ -158,7 +158,7 @@ RecipeOptions::RecipeOptions(CLI::App& call, const std::vector<std::string_view>
     }
     CLI::Option* added = argument.empty() ? call.add_flag(dashed(option))
                                           : call.add_option(dashed(option))->type_name(argument)->expected(1);
-    m_options[std::string(option)] = added->description(what)->group(kGroup);
+    m_options[std::string(option)] = added->description(what)->group(kRecipeGroup);
     return added;
   };
   for (const NumberField& field : recipe::numberFields()) {

@@ -60,7 +60,7 @@ void JsonWriter::member(std::string_view key, const char* value) {
 }
 
 void JsonWriter::member(std::string_view key, const base::Value& value) {
-  std::visit([&](const auto& v) { member(key, v); }, value.value);
+  std::visit([&](const auto& v) { this->member(key, v); }, value.value);
 }
 
 void JsonWriter::member(std::string_view key, const Eigen::Vector2d& value) {

@@ -236,9 +236,9 @@ private:
       };
       std::int64_t others = 0;
       bool told = m_branching[end];
-      constexpr std::int64_t kEnough = 100;
+      constexpr std::int64_t kMostOthers = 100;
       for (auto found = tree.qbegin(bgi::intersects(box) && bgi::satisfies(other));
-           found != tree.qend() && others < kEnough; ++found) {
+           found != tree.qend() && others < kMostOthers; ++found) {
         ++others;
         told = told || m_branching[found->second];
       }

@@ -88,9 +88,8 @@ TEST(Outputs, LeaveNothingHalfWrittenWhenInterrupted) {
   const Scratch scratch;
   const fs::path folder = (scratch / "x").parent_path();
   // At this feed the profile has some hundred million rows.
-  const Outcome outcome =
-      interruptedArris({"plan", kPane, "--feed", "1", "--profile", (scratch / "a.csv").string()},
-                       [&] { return !fs::is_empty(folder); });
+  const Outcome outcome = interruptedArris({"plan", kPane, "--feed", "1", "--profile", (scratch / "a.csv").string()},
+                                           [&] { return !fs::is_empty(folder); });
   EXPECT_EQ(outcome.status, 130);
   EXPECT_THAT(outcome.err, testing::EndsWith("arris: interrupted\n"));
   expectEmpty(scratch);
@@ -101,7 +100,7 @@ TEST(StandardOutput, ThatIsFullIsAFailure) {
 }
 
 std::string recipeWith(const Scratch& scratch, const std::string& content) {
-  const std::string file = (scratch / "recipe.json").string();
+  std::string file = (scratch / "recipe.json").string();
   writeTo(file, content);
   return file;
 }

@@ -70,7 +70,9 @@ TEST(Plan, GivesTheSameBytesInEveryLocale) {
   const auto expected = contentsOf(scratch);
   for (const char* locale : {"de_DE.UTF-8", "zh_CN.UTF-8", "C"}) {
     // A locale that is not installed would prove nothing.
-    ASSERT_NE(newlocale(LC_ALL_MASK, locale, nullptr), nullptr) << locale;
+    locale_t installed = newlocale(LC_ALL_MASK, locale, nullptr);
+    ASSERT_NE(installed, nullptr) << locale;
+    freelocale(installed);
     const Outcome outcome = arris(arguments, {{"LC_ALL", locale}, {"LANG", locale}, {"LANGUAGE", locale}});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.out, out) << locale;

@@ -28,7 +28,7 @@ std::vector<geometry::Point> corners(std::int64_t count) {
 }
 
 /// Every second edge bulges outwards by half of what the corners turn.
-pattern::Contour linesAndArcs(std::int64_t count) {
+pattern::Contour contourOfLinesAndArcs(std::int64_t count) {
   pattern::Contour contour = test::polygon(corners(count)).contours.front();
   for (std::size_t i = 0; i < contour.curves.size(); i += 2) {
     geometry::Curve& curve = contour.curves[i];
@@ -51,8 +51,8 @@ void lines(benchmark::State& state) {
   state.SetComplexityN(state.range(0));
 }
 
-void lines_and_arcs(benchmark::State& state) {
-  compensation(state, linesAndArcs(state.range(0)));
+void linesAndArcs(benchmark::State& state) {
+  compensation(state, contourOfLinesAndArcs(state.range(0)));
   state.SetComplexityN(state.range(0));
 }
 
@@ -71,7 +71,7 @@ void clipper(benchmark::State& state) {
 }
 
 BENCHMARK(lines)->RangeMultiplier(10)->Range(1000, 100000)->Complexity()->Unit(benchmark::kMillisecond);
-BENCHMARK(lines_and_arcs)->RangeMultiplier(10)->Range(1000, 100000)->Complexity()->Unit(benchmark::kMillisecond);
+BENCHMARK(linesAndArcs)->RangeMultiplier(10)->Range(1000, 100000)->Complexity()->Unit(benchmark::kMillisecond);
 BENCHMARK(clipper)->RangeMultiplier(10)->Range(1000, 10000)->Unit(benchmark::kMillisecond);
 
 } // namespace

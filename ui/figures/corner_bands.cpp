@@ -18,8 +18,9 @@ constexpr double kBandGap = 8;
 
 } // namespace
 
-CornerBands::CornerBands(QCPAxisRect* top, const FigureStyle& style)
-    : QCPLayerable(top->parentPlot(), QStringLiteral("background")), m_top(top), m_bottom(top), m_style(style) {}
+CornerBands::CornerBands(QCPAxisRect* top, FigureStyle style)
+    : QCPLayerable(top->parentPlot(), QStringLiteral("background")), m_top(top), m_bottom(top),
+      m_style(std::move(style)) {}
 
 void CornerBands::show(std::vector<CornerBand> bands, std::vector<ProfileLimits::Corner> corners,
                        const QCPAxisRect* bottom) {

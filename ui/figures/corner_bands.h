@@ -14,7 +14,7 @@ class CornerBands : public QCPLayerable {
 
 public:
   /// `top` and `bottom`: the first and the last panel.
-  CornerBands(QCPAxisRect* top, const FigureStyle& style);
+  CornerBands(QCPAxisRect* top, FigureStyle style);
 
   void show(std::vector<CornerBand> bands, std::vector<ProfileLimits::Corner> corners, const QCPAxisRect* bottom);
   void select(int corner);

@@ -55,7 +55,7 @@ Obstacles obstaclesOf(const Drawing& drawing, const QTransform& toDevice, const 
     for (const Stretch& run : clipped(flattened(trace.curves, toDevice, kObstacleFlatness * style.unit), frame)) {
       // In short pieces, so that most can be passed over by their boxes.
       for (qsizetype i = 0; i + 1 < run.points.size(); i += 8) {
-        result.lines.push_back(run.points.mid(i, 9));
+        result.lines.emplace_back(run.points.mid(i, 9));
       }
     }
   }

@@ -20,11 +20,11 @@ namespace arris::ui {
 namespace {
 
 // In units of figures (0.1 mm on paper).
-constexpr double kMargin = 100;
-constexpr double kTickRoom = 105;   // left of the frame: numbers and the axis title
+constexpr double kPageMargin = 100;
+constexpr double kRulerRoom = 105;  // left of the frame: numbers and the axis title
 constexpr double kAxisRoom = 90;    // below the frame
 constexpr double kInnerMargin = 95; // between frame and drawing: room for the corners' numbers
-constexpr double kRowHeight = 38;
+constexpr double kLegendRowHeight = 38;
 constexpr double kTitleRowHeight = 54;
 constexpr double kLegendColumn = 440;
 constexpr double kLocatorHeight = 175;
@@ -72,7 +72,7 @@ class PreviewPage {
 public:
   PreviewPage(QPainter& painter, const QSizeF& page, const Drawing& drawing, const PreviewTitle& title)
       : m_painter(painter), m_drawing(drawing), m_title(title),
-        m_page(kMargin, kMargin, page.width() - 2 * kMargin, page.height() - 2 * kMargin) {
+        m_page(kPageMargin, kPageMargin, page.width() - 2 * kPageMargin, page.height() - 2 * kPageMargin) {
     layOut();
   }
 
@@ -105,14 +105,14 @@ private:
 void PreviewPage::layOut() {
   m_legendColumns = static_cast<std::size_t>((m_page.width() - 2 * kBlockPadding) / kLegendColumn);
   const std::size_t legendRows = (legendOf(m_drawing).size() + m_legendColumns - 1) / m_legendColumns;
-  m_upperHeight = kTitleRowHeight + kRowHeight * static_cast<double>(m_title.lines.size());
+  m_upperHeight = kTitleRowHeight + kLegendRowHeight * static_cast<double>(m_title.lines.size());
   if (m_drawing.travel) {
     m_upperHeight = std::max(m_upperHeight, kLocatorHeight);
   }
-  m_legendHeight = kRowHeight * static_cast<double>(legendRows);
-  const double block = m_upperHeight + m_legendHeight + kRowHeight * problemRows() + 3 * kBlockPadding;
+  m_legendHeight = kLegendRowHeight * static_cast<double>(legendRows);
+  const double block = m_upperHeight + m_legendHeight + kLegendRowHeight * problemRows() + 3 * kBlockPadding;
   m_block = QRectF(m_page.left(), m_page.bottom() - block, m_page.width(), block);
-  m_frame = QRectF(m_page.topLeft() + QPointF(kTickRoom, 0), QPointF(m_page.right(), m_block.top() - kAxisRoom));
+  m_frame = QRectF(m_page.topLeft() + QPointF(kRulerRoom, 0), QPointF(m_page.right(), m_block.top() - kAxisRoom));
 
   const geometry::Box box = shownBox(m_drawing);
   const geometry::Vector size = box.sizes() * kUnitsPerMillimetre;
@@ -187,8 +187,8 @@ void PreviewPage::paintTitle() {
   text(QRectF(inner.left(), top, 0, kTitleRowHeight), Qt::AlignLeft | Qt::AlignTop, m_title.file, kTitleHeight, true);
   top += kTitleRowHeight;
   for (const QString& line : m_title.lines) {
-    text(QRectF(inner.left(), top, 0, kRowHeight), Qt::AlignLeft | Qt::AlignVCenter, line);
-    top += kRowHeight;
+    text(QRectF(inner.left(), top, 0, kLegendRowHeight), Qt::AlignLeft | Qt::AlignVCenter, line);
+    top += kLegendRowHeight;
   }
   double right = inner.right();
   if (m_drawing.travel) {
@@ -225,12 +225,13 @@ void PreviewPage::paintProblemRows(double top) {
   const std::vector<const base::Problem*> problems = sortedProblems();
   const auto shown = static_cast<std::size_t>(problemRows());
   const QFontMetricsF metrics(m_style.font(kTextHeight));
-  for (std::size_t i = 0; i < shown; ++i, top += kRowHeight) {
+  for (std::size_t i = 0; i < shown; ++i, top += kLegendRowHeight) {
     const bool more = i + 1 == shown && problems.size() > shown;
     QString words = tr("… and %1 more").arg(problems.size() - shown + 1);
     if (!more) {
       const base::Problem& problem = *problems[i];
-      paintSign(m_painter, QPointF(m_block.left() + 45, top + kRowHeight / 2), base::severityOf(problem), m_style);
+      paintSign(m_painter, QPointF(m_block.left() + 45, top + kLegendRowHeight / 2), base::severityOf(problem),
+                m_style);
       words = problemText(problem, m_style.locale);
       if (problem.where) {
         words += QStringLiteral("  (X %1, Y %2)")
@@ -238,7 +239,7 @@ void PreviewPage::paintProblemRows(double top) {
                           fixedText(problem.where->y(), 1, m_style.locale));
       }
     }
-    text(QRectF(m_block.left() + 80, top, 0, kRowHeight), Qt::AlignLeft | Qt::AlignVCenter,
+    text(QRectF(m_block.left() + 80, top, 0, kLegendRowHeight), Qt::AlignLeft | Qt::AlignVCenter,
          metrics.elidedText(words, Qt::ElideRight, m_block.width() - 110));
   }
 }
@@ -246,8 +247,9 @@ void PreviewPage::paintProblemRows(double top) {
 void PreviewPage::paintLegend(const QPointF& topLeft) {
   const std::vector<LegendEntry> entries = legendOf(m_drawing);
   for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::size_t row = i / m_legendColumns;
     const double x = topLeft.x() + kLegendColumn * static_cast<double>(i % m_legendColumns);
-    const double y = topLeft.y() + kRowHeight * (static_cast<double>(i / m_legendColumns) + 0.5);
+    const double y = topLeft.y() + kLegendRowHeight * (static_cast<double>(row) + 0.5);
     entries[i].sample(m_painter, QPointF(x, y), m_style);
     text(QRectF(x + kLegendSample + 15, y, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, entries[i].words, kSmallTextHeight);
   }

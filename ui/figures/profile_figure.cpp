@@ -111,7 +111,8 @@ QString ProfilePage::subheading(const job::Job& job) {
 
 } // namespace
 
-Figure profileFigure(std::vector<ProfileCurves> profiles, ProfileLimits limits, QString heading, QString subheading) {
+Figure profileFigure(const std::vector<ProfileCurves>& profiles, const ProfileLimits& limits, const QString& heading,
+                     const QString& subheading) {
   Figure figure;
   figure.title = heading;
   figure.paint = [=, page = figure.page](QCPPainter& painter) {

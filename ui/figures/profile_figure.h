@@ -11,8 +11,8 @@ namespace arris::ui {
 
 /// A lying page of A4 with the profile plot over the time of the work, under a heading. One profile, or two (planned
 /// and actual) over each other. Numbers with a decimal point.
-[[nodiscard]] Figure profileFigure(std::vector<ProfileCurves> profiles, ProfileLimits limits, QString heading,
-                                   QString subheading);
+[[nodiscard]] Figure profileFigure(const std::vector<ProfileCurves>& profiles, const ProfileLimits& limits,
+                                   const QString& heading, const QString& subheading);
 
 /// The figure of a planned job.
 [[nodiscard]] Figure profileFigure(const job::Job& job, const QString& file);

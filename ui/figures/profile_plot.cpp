@@ -19,7 +19,7 @@ constexpr double kLeastPanelHeight = 85;
 constexpr double kTickLength = 8;
 constexpr double kLabelPadding = 8;
 constexpr double kOverlaidLine = 8;
-constexpr double kZoomStep = 1.5;
+constexpr double kProfileZoomStep = 1.5;
 constexpr double kPrintTolerance = 0.2;
 
 // Values of the right-hand axis nearer than this share of it would stand on each other.
@@ -375,11 +375,11 @@ void ProfilePlot::zoomBy(double factor) {
 }
 
 void ProfilePlot::zoomIn() {
-  zoomBy(kZoomStep);
+  zoomBy(kProfileZoomStep);
 }
 
 void ProfilePlot::zoomOut() {
-  zoomBy(1 / kZoomStep);
+  zoomBy(1 / kProfileZoomStep);
 }
 
 void ProfilePlot::prepareForPrint(const QSize& size) {

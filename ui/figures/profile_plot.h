@@ -55,7 +55,8 @@ private:
   void addSpace(int row, int height);
   void setTimes(const std::vector<ProfileCurves>& profiles);
   void addCurve(PanelParts& panel, Panel kind, const ProfileCurves& curves, bool under);
-  void setRange(PanelParts& panel, Panel kind, const std::vector<ProfileCurves>& profiles, const ProfileLimits& limits);
+  static void setRange(PanelParts& panel, Panel kind, const std::vector<ProfileCurves>& profiles,
+                       const ProfileLimits& limits);
   void addLimits(PanelParts& panel, Panel kind, const ProfileLimits& limits);
   void addLimitLine(PanelParts& panel, double value, const QString& words);
   void addReliefLimits(PanelParts& panel, const ProfileLimits& limits);

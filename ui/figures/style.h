@@ -41,7 +41,7 @@ struct FigureStyle {
 
   [[nodiscard]] QFont font(double height, bool bold = false) const {
     QFont result(QStringLiteral("DejaVu Sans"));
-    result.setPixelSize(static_cast<int>(height * unit + 0.5));
+    result.setPixelSize(qRound(height * unit));
     result.setBold(bold);
     result.setHintingPreference(QFont::PreferNoHinting);
     return result;

@@ -26,7 +26,7 @@ namespace {
 constexpr int kRecipeWidth = 236;
 constexpr int kFindingsWidth = 540;
 constexpr int kBesideFrom = 1500; // px: from this width on the findings stand beside the drawing
-constexpr int kSignSize = 24;
+constexpr int kStateSignSize = 24;
 constexpr int kBusyHeight = 8;
 constexpr double kPlotUnit = 0.5; // px per unit of figures
 
@@ -93,7 +93,7 @@ QWidget* JobPage::makeHeader() {
     m_viewButtons->addButton(button, i);
     layout->addWidget(button);
   }
-  m_stateSign->setFixedSize(kSignSize, kSignSize);
+  m_stateSign->setFixedSize(kStateSignSize, kStateSignSize);
   m_state->setObjectName(QStringLiteral("state"));
   m_state->setWordWrap(true);
   m_busy->setRange(0, 0);
@@ -193,7 +193,7 @@ void JobPage::showState() {
     m_state->setText(tr("Cannot be ground: see the problems."));
     sign = base::Severity::Error;
   }
-  m_stateSign->setPixmap(sign ? signIcon(*sign).pixmap(kSignSize) : QPixmap());
+  m_stateSign->setPixmap(sign ? signIcon(*sign).pixmap(kStateSignSize) : QPixmap());
 }
 
 void JobPage::showBusy(bool busy) {

@@ -52,8 +52,9 @@ QString durationText(double seconds, const QLocale& locale) {
         .arg(fixedText(minutes, 0, locale), fixedText((tenths - 600 * minutes) / 10, 1, locale));
   }
   const int minutes = static_cast<int>(std::round(tenths / 600));
+  const int hours = minutes / 60;
   return QCoreApplication::translate("Quantities", "%1 h %2 min")
-      .arg(fixedText(minutes / 60, 0, locale), QStringLiteral("%1").arg(minutes % 60, 2, 10, QLatin1Char('0')));
+      .arg(fixedText(hours, 0, locale), QStringLiteral("%1").arg(minutes % 60, 2, 10, QLatin1Char('0')));
 }
 
 } // namespace arris::ui

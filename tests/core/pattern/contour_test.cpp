@@ -70,7 +70,7 @@ TEST(Contour, MakesOneAcrossItsStartToo) {
 TEST(Contour, ACircleInPiecesIsACircle) {
   std::vector<Curve> quarters;
   for (int i = 0; i < 4; ++i) {
-    quarters.push_back(geometry::arcAbout({10, 20}, 30, 0.3 + i * kPi / 2, kPi / 2));
+    quarters.emplace_back(geometry::arcAbout({10, 20}, 30, 0.3 + i * kPi / 2, kPi / 2));
   }
   const Pattern pattern = joinPieces(test::shuffled(quarters, 2), 0.05);
   ASSERT_EQ(pattern.contours.size(), 1U);

@@ -260,7 +260,7 @@ TEST(CorruptFile, NeverDoesMoreThanGetRefused) {
                                           "0 SEQEND\n0 TEXT\n1 text\n0 SPLINE\n40 0")
                                .text();
   std::mt19937 random(20240607);
-  const std::string likely = "0123456789.-+eE \n\r\0";
+  const std::string likely("0123456789.-+eE \n\r\0", 19);
   for (int round = 0; round < 4000; ++round) {
     std::string corrupt = text;
     const auto hits = 1 + random() % 4;
