@@ -42,11 +42,22 @@ void printCalls() {
   fmt::print(kLine, "--version", "the version");
 }
 
+bool namesAFile(const CLI::Option* option) {
+  return option->get_positional() || option->get_type_name().starts_with("FILE");
+}
+
 } // namespace
 
 std::optional<ExitStatus> read(CLI::App& call, const Arguments& arguments) {
   try {
     call.parse(Arguments(arguments.rbegin(), arguments.rend()));
+    for (const CLI::Option* option : call.get_options(namesAFile)) {
+      const std::vector<std::string>& files = option->results();
+      if (std::find(files.begin(), files.end(), "") != files.end()) {
+        complain(fmt::format("{}: the name of the file is empty (see: arris help)", option->get_name()));
+        return ExitStatus::WrongUsage;
+      }
+    }
     return std::nullopt;
   } catch (const CLI::CallForHelp&) {
     fmt::print("{}", call.help());

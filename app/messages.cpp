@@ -6,9 +6,9 @@
 
 namespace arris::app {
 
-void tell(const base::Problems& problems) {
+void tell(std::span<const base::Problem> problems, std::string_view frame) {
   for (const base::Problem& problem : problems) {
-    fmt::print(stderr, "{}\n", base::describeWithPlace(problem));
+    fmt::print(stderr, "{}\n", base::describeWithPlace(problem, frame));
   }
 }
 

@@ -22,13 +22,25 @@ void addFile(CLI::App& call, const char* option, fs::path& file, const char* kin
   call.add_option(option, file, what)->type_name(kind)->group(kOutputGroup);
 }
 
+/// Where a file that need not exist is or would be, links to nothing followed.
+fs::path target(fs::path file, std::error_code& failure) {
+  constexpr int kMostLinks = 40;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(file, failure)); ++i) {
+    file = file.parent_path() / fs::read_symlink(file, failure);
+  }
+  return fs::weakly_canonical(fs::absolute(file), failure);
+}
+
 /// One file under two names, also through links. What is not a regular file (a pipe, /dev/null) may be named twice.
 bool sameFile(const fs::path& a, const fs::path& b) {
   std::error_code none;
   if (fs::exists(a, none) && fs::exists(b, none)) {
     return fs::equivalent(a, b, none) && fs::is_regular_file(a, none);
   }
-  return fs::weakly_canonical(a, none) == fs::weakly_canonical(b, none);
+  std::error_code unknown; // a chain of links without an end
+  const fs::path one = target(a, unknown);
+  const fs::path other = target(b, unknown);
+  return !unknown && one == other;
 }
 
 std::optional<Problem> obstacle(const fs::path& file) {
@@ -59,7 +71,7 @@ std::optional<Problem> unknownFigure(const OutputFile& output) {
 std::optional<std::string> overwritten(const OutputFile& output, std::span<const OutputFile> before,
                                        const std::vector<fs::path>& inputs) {
   for (const fs::path& input : inputs) {
-    if (sameFile(input, output.file)) {
+    if (!input.empty() && sameFile(input, output.file)) {
       return input.string() + ", which is read";
     }
   }

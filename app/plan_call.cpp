@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <span>
 
 namespace arris::app {
 namespace {
@@ -82,7 +83,8 @@ std::vector<Task> tasks(const Request& request, const pattern::Pattern& pattern,
        [&, name] { return files::writeWholeFile(files.report, files::report(pattern, job, name)); }},
       {files.preview, false,
        [&, title] {
-         return writeFigure(ui::previewFigure(ui::drawingOf(job), ui::previewTitle(job, title)), files.preview);
+         return writeFigure(ui::previewFigure(ui::drawingOf(job, pattern), ui::previewTitle(job, title)),
+                            files.preview);
        }},
       {files.profile, true, [&] { return writeProfile(job, files.profile, progress); }},
       {files.gcode, true,
@@ -161,7 +163,10 @@ ExitStatus plan(const Arguments& arguments) {
   if (interrupted()) {
     return ExitStatus::Interrupted;
   }
-  tell(result->job.problems);
+  // What is wrong with the drawing is mended in the drawing; what is wrong with the job, on the table.
+  const std::size_t ofPattern = result->pattern.problems.size();
+  tell(result->pattern.problems);
+  tell(std::span(result->job.problems).subspan(ofPattern), "on the table");
   if (const ExitStatus status = writeOutputs(request, result->pattern, result->job); status != ExitStatus::Done) {
     return status;
   }

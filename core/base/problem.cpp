@@ -2,10 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
+#include <map>
 
 namespace arris::base {
 namespace {
+
+/// The drawing is read again after the first are mended.
+constexpr std::int64_t kMostOfOneCode = 20;
 
 std::string asText(const Value& value) {
   return std::visit([](const auto& v) { return fmt::format("{}", v); }, value.value);
@@ -58,15 +63,27 @@ std::string describe(const Problem& problem) {
   return fillIn(info(problem.code).text, problem);
 }
 
-std::string describeWithPlace(const Problem& problem) {
+std::string describeWithPlace(const Problem& problem, std::string_view frame) {
   std::string result = fmt::format("{}: ", name(severityOf(problem)));
   if (problem.line) {
     result += fmt::format("line {}: ", *problem.line);
   }
   if (problem.where) {
-    result += fmt::format("at ({:.3f}, {:.3f}) mm: ", problem.where->x(), problem.where->y());
+    result += fmt::format("at ({:.3f}, {:.3f}) mm {}: ", problem.where->x(), problem.where->y(), frame);
   }
   return result + fmt::format("{} [{}]", describe(problem), info(problem.code).name);
+}
+
+void keepFirstOfEachCode(Problems& problems) {
+  std::map<Code, std::int64_t> counts;
+  const auto isTooMany = [&counts](const Problem& p) { return ++counts[p.code] > kMostOfOneCode; };
+  problems.erase(std::remove_if(problems.begin(), problems.end(), isTooMany), problems.end());
+  for (const auto& [code, count] : counts) {
+    if (count > kMostOfOneCode) {
+      problems.push_back(
+          Problem(Code::MoreNotListed, {{"count", count - kMostOfOneCode}, {"code", std::string(info(code).name)}}));
+    }
+  }
 }
 
 } // namespace arris::base

@@ -57,6 +57,7 @@ enum class Code {
   ZeroLengthRemoved,
   GapClosed,
   OpenChain,
+  StrayPiece,
   BranchingChain,
   NoContour,
   SeveralContours,
@@ -73,6 +74,7 @@ enum class Code {
   OverlapShortened,
   OutsideTravel,
   WheelBelowTable,
+  ParkTooLow,
   HeightOutsideTravel,
   GrindingAboveClearance,
   // Speed
@@ -153,8 +155,12 @@ struct CodeInfo {
 /// The English sentence, without severity and place.
 [[nodiscard]] std::string describe(const Problem& problem);
 
-/// One line for a terminal: `error: line 12, at (10.5, 20) mm: sentence [code]`.
-[[nodiscard]] std::string describeWithPlace(const Problem& problem);
+/// One line for a terminal: `error: line 12: at (10.500, 20.000) mm in the drawing: sentence [code]`; `frame` says
+/// which coordinates the place has.
+[[nodiscard]] std::string describeWithPlace(const Problem& problem, std::string_view frame = "in the drawing");
+
+/// Of each code only the first 20 stay; a note with the count stands for the others.
+void keepFirstOfEachCode(Problems& problems);
 
 [[nodiscard]] inline Severity severityOf(const Problem& problem) {
   return info(problem.code).severity;

@@ -52,6 +52,8 @@ const std::vector<CodeInfo>& allCodes() {
       {GapClosed, "gap-closed", Note, "A gap of {size_mm} mm was closed."},
       {OpenChain, "open-chain", Error,
        "The contour is open here: the next free end is {gap_mm} mm away (up to {tolerance_mm} mm are joined)."},
+      {StrayPiece, "stray-piece", Error,
+       "A single piece, its ends {length_mm} mm apart, belongs to no contour; it may lie on top of another."},
       {BranchingChain, "branching-chain", Error, "{count} pieces meet here; a contour cannot branch."},
       {NoContour, "no-contour", Error, "The drawing has no closed contour."},
       {SeveralContours, "several-contours", Error,
@@ -72,7 +74,7 @@ const std::vector<CodeInfo>& allCodes() {
       {SlowCorner, "slow-corner", Warning, "Corner {corner} takes {time_s} s."},
       {NoLead, "no-lead", Error,
        "The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the glass and has {distance_mm} "
-       "mm."},
+       "mm. Start on a longer edge away from sharp corners, or change the lead's radius."},
       {OverlapShortened, "overlap-shortened", Note,
        "The overlap is {used_mm} mm, a quarter of the contour, instead of {wanted_mm} mm."},
       {OutsideTravel, "outside-travel", Error,
@@ -80,6 +82,9 @@ const std::vector<CodeInfo>& allCodes() {
       {WheelBelowTable, "wheel-below-table", Error,
        "The wheel's lower face would be {height_mm} mm above the table while grinding; it must stay {least_mm} mm "
        "above."},
+      {ParkTooLow, "park-too-low", Error,
+       "At the park position the wheel's lower face would be {height_mm} mm above the table, over or beside the glass; "
+       "it must be {least_mm} mm above."},
       {HeightOutsideTravel, "height-outside-travel", Error,
        "The {what} height of {height_mm} mm is outside the travel of 0 to {most_mm} mm."},
       {GrindingAboveClearance, "grinding-above-clearance", Error,

@@ -84,8 +84,9 @@ public:
       if (stretch.segment != number || stretch.from >= to) {
         break;
       }
-      cap = std::min({cap, std::sqrt(stretch.cap2), heldByAxes(segment, std::max(from, stretch.from)),
-                      heldByAxes(segment, std::min(to, stretch.to))});
+      cap =
+          std::min({cap, std::sqrt(std::min(stretch.cap2, stretch.capEnd2)),
+                    heldByAxes(segment, std::max(from, stretch.from)), heldByAxes(segment, std::min(to, stretch.to))});
     }
     return 60 * cap;
   }

@@ -54,7 +54,12 @@ std::optional<std::string_view> phaseOf(std::string_view word) {
 /// Reads line by line; whatever is wrong is kept as the reason of the first failure.
 class ProfileReader {
 public:
-  ProfileReader(std::string_view text, std::string_view file) : m_rest(text), m_file(file) {}
+  ProfileReader(std::string_view text, std::string_view file) : m_rest(text), m_file(file) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF"; // as spreadsheets write it
+    if (m_rest.starts_with(kByteOrderMark)) {
+      m_rest.remove_prefix(kByteOrderMark.size());
+    }
+  }
 
   Expected<std::vector<ProfileRow>> read() {
     std::vector<ProfileRow> rows;

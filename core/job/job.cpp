@@ -57,14 +57,17 @@ Job planJob(const pattern::Pattern& pattern, const recipe::Recipe& recipe, const
   job.contours = placed(pattern.contours, job.placement);
   job.problems = placed(pattern.problems, job.placement);
   append(job.problems, checkHeights(recipe, machine));
+  append(job.problems, checkPark(job.contours, recipe, machine));
   if (base::hasErrors(pattern.problems)) {
     return job;
   }
 
   job.toolpath = toolpath::makeToolpath(job.contours, recipe, leads);
-  append(job.problems, job.toolpath.problems);
-  append(job.problems, checkTravel(job.toolpath, machine));
-  append(job.problems, machineSpeedNotes(recipe, machine));
+  base::Problems problems = job.toolpath.problems;
+  append(problems, checkTravel(job.toolpath, machine));
+  append(problems, machineSpeedNotes(recipe, machine));
+  base::keepFirstOfEachCode(problems);
+  append(job.problems, problems);
   if (!job.canBeGround()) {
     return job;
   }

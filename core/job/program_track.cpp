@@ -135,15 +135,15 @@ double excess(const Box& box, const Eigen::Vector2d& travel) {
   return std::max(below.maxCoeff(), above.maxCoeff());
 }
 
-Point farthestOut(const Box& box, const Eigen::Vector2d& travel) {
-  const Point middle = box.center();
-  Point result = middle;
-  for (int axis = 0; axis < 2; ++axis) {
-    if (-box.min()[axis] > kTravelRounding) {
-      result[axis] = box.min()[axis];
-    }
-    if (box.max()[axis] - travel[axis] > kTravelRounding) {
-      result[axis] = box.max()[axis];
+// Near enough to be found in the drawing.
+Point farthestOut(const Curve& curve, const Eigen::Vector2d& travel) {
+  constexpr int kSteps = 64;
+  const double length = geometry::parameterLength(curve);
+  Point result = geometry::startPoint(curve);
+  for (int i = 1; i <= kSteps; ++i) {
+    const Point point = geometry::pointAt(curve, length * i / kSteps);
+    if (excess({point, point}, travel) > excess({result, result}, travel)) {
+      result = point;
     }
   }
   return result;
@@ -182,6 +182,24 @@ Problems checkHeights(const recipe::Recipe& recipe, const recipe::Machine& machi
   return problems;
 }
 
+// Where the park position is low, the wheel stands beside the glass and above the table.
+Problems checkPark(const std::vector<pattern::Contour>& contours, const recipe::Recipe& recipe,
+                   const recipe::Machine& machine) {
+  const Point park = machine.park.head<2>();
+  const double lowerFace = machine.park.z() - recipe.wheelHeight / 2;
+  const double beside = recipe.wheelRadius + recipe.depth + kAboveTable;
+  const bool atGlass = std::any_of(contours.begin(), contours.end(), [&](const pattern::Contour& contour) {
+    const auto isNear = [&](const Curve& c) { return geometry::nearest(c, park).distance < beside; };
+    return geometry::bounds(contour.curves).contains(park) ||
+           std::any_of(contour.curves.begin(), contour.curves.end(), isNear);
+  });
+  const double least = atGlass ? recipe.support + recipe.thickness + kAboveTable : kAboveTable;
+  if (lowerFace < least) {
+    return {Problem(Code::ParkTooLow, {{"height_mm", lowerFace}, {"least_mm", least}}).at(park)};
+  }
+  return {};
+}
+
 // One problem for each corner and lead, and one for the rest: the worst of it.
 Problems checkTravel(const toolpath::Toolpath& toolpath, const recipe::Machine& machine) {
   Problems problems;
@@ -196,7 +214,7 @@ Problems checkTravel(const toolpath::Toolpath& toolpath, const recipe::Machine& 
       if (by <= kTravelRounding) {
         continue;
       }
-      const Problem problem = outside(nameOf(piece), by, farthestOut(box, travel)).ofContour(chain.contour);
+      const Problem problem = outside(nameOf(piece), by, farthestOut(piece.shape, travel)).ofContour(chain.contour);
       if (piece.corner != 0 && std::find(named.begin(), named.end(), piece.corner) == named.end()) {
         named.push_back(piece.corner);
         problems.push_back(Problem(problem).ofCorner(piece.corner));

@@ -16,6 +16,10 @@ struct Heights {
 /// Errors where the wheel would come too near to the table or leave the travel in Z.
 [[nodiscard]] base::Problems checkHeights(const recipe::Recipe& recipe, const recipe::Machine& machine);
 
+/// An error where the wheel, parked, would touch the table or the glass.
+[[nodiscard]] base::Problems checkPark(const std::vector<pattern::Contour>& contours, const recipe::Recipe& recipe,
+                                       const recipe::Machine& machine);
+
 /// Errors where the path leaves the travel in X and Y; names the corner whose transition does.
 [[nodiscard]] base::Problems checkTravel(const toolpath::Toolpath& toolpath, const recipe::Machine& machine);
 

@@ -59,7 +59,7 @@ void Interpolator::setOverride(double factor) {
   m_piece.time = m_time;
   m_piece.lambda = now.lambda;
   m_piece.speed = now.speed;
-  m_followNext = Follow::Nothing;
+  m_followNext.reset();
   decide();
 }
 
@@ -84,7 +84,7 @@ bool Interpolator::nextPiece() {
   m_piece.speed = std::sqrt(m_endSpeed2);
   if (m_piece.lambda >= interval().to) {
     ++m_index;
-    m_followNext = Follow::Nothing;
+    m_followNext.reset();
     if (atEnd()) {
       m_piece.duration = 0;
       m_piece.acceleration = 0;
@@ -101,24 +101,18 @@ void Interpolator::enterInterval() {
   m_piece.lambda = interval().from;
 }
 
-// (mm/s)²: the constant part of c².
-double Interpolator::feed2() const {
-  const double feed = segment().feed;
-  return m_override <= 1 ? squared(m_override) * std::min(squared(feed), interval().cap2)
-                         : std::min(interval().cap2, squared(m_override * feed));
-}
-
-// The falling part of c²: K scaled by an override below 1 is admissible with o² of the acceleration.
-double Interpolator::brake() const {
-  return interval().brake * squared(std::min(1.0, m_override));
-}
-
-double Interpolator::brakeLine2(double lambda) const {
+// Up to an override of 1 the whole profile scales: K scaled by o is admissible with o² of the acceleration.
+Interpolator::Lines Interpolator::lines() const {
+  const Interval& on = interval();
   const double scale = squared(std::min(1.0, m_override));
-  return scale * (interval().end2 + 2 * interval().brake * (interval().to - lambda));
+  const double length = on.to - on.from;
+  const double rise = length > 0 ? (on.capEnd2 - on.cap2) / length : 0;
+  return {Line{squared(m_override * segment().feed), 0},
+          Line{scale * (on.cap2 + rise * (m_piece.lambda - on.from)), scale * rise},
+          Line{scale * (on.end2 + 2 * on.brake * (on.to - m_piece.lambda)), -2 * scale * on.brake}};
 }
 
-void Interpolator::settle(double acceleration, double distance, double endSpeed2, Follow next) {
+void Interpolator::settle(double acceleration, double distance, double endSpeed2, std::optional<Bound> next) {
   const double end = m_piece.lambda + distance;
   m_piece.acceleration = acceleration;
   const bool reachesEnd = end >= interval().to;
@@ -138,98 +132,95 @@ void Interpolator::standStill() {
 }
 
 void Interpolator::decide() {
-  m_follow = m_followNext;
+  const std::optional<Bound> follow = std::exchange(m_followNext, std::nullopt);
+  const Lines bounds = lines();
+  if (follow) {
+    decideAlong(bounds, *follow, squared(m_piece.speed));
+    return;
+  }
   const double speed2 = squared(m_piece.speed);
-  const double cap = std::min(feed2(), brakeLine2(m_piece.lambda));
-  if (m_follow == Follow::Nothing && (m_override == 0 || speed2 > cap * (1 + kOnLine))) {
-    decideFall(speed2);
+  const auto lowest =
+      std::min_element(bounds.begin(), bounds.end(), [](const Line& a, const Line& b) { return a.speed2 < b.speed2; });
+  if (m_override == 0 || speed2 > lowest->speed2 * (1 + kOnLine)) {
+    decideFall(bounds, speed2);
+  } else if (speed2 >= lowest->speed2 * (1 - kOnLine) && lowest->speed2 > 0) {
+    decideAlong(bounds, static_cast<Bound>(lowest - bounds.begin()), speed2);
+  } else {
+    decideFree(bounds, speed2);
+  }
+}
+
+// Along a line until a lower one is met; where the axes do not admit that, what they admit.
+void Interpolator::decideAlong(const Lines& lines, Bound bound, double speed2) {
+  const Line& line = lines[static_cast<std::size_t>(bound)];
+  if (admissible(segment(), interval(), m_limits, m_piece.lambda, speed2).most < line.slope / 2 - kRounding) {
+    decideFree(lines, speed2);
     return;
   }
-  if (m_follow == Follow::Nothing && speed2 >= cap * (1 - kOnLine) && cap > 0) {
-    m_follow = feed2() <= brakeLine2(m_piece.lambda) ? Follow::Feed : Follow::Brake;
+  double distance = interval().to - m_piece.lambda;
+  std::optional<Bound> next;
+  for (const Bound other : {Bound::Feed, Bound::Cap, Bound::Brake}) {
+    const Line& under = lines[static_cast<std::size_t>(other)];
+    const double meets = (under.speed2 - line.speed2) / (line.slope - under.slope);
+    if (line.slope > under.slope && meets < distance) {
+      distance = std::max(0.0, meets);
+      next = other;
+    }
   }
-  switch (m_follow) {
-  case Follow::Feed:
-    decideFeed(speed2);
-    break;
-  case Follow::Brake:
-    decideBrake(speed2);
-    break;
-  case Follow::Nothing:
-    decideFree(speed2);
-    break;
-  }
+  settle(line.slope / 2, distance, line.speed2 + line.slope * distance, next);
 }
 
-// Along the feed until K is met; where the axes do not admit that, what they admit.
-void Interpolator::decideFeed(double speed2) {
-  if (admissible(segment(), interval(), m_limits, m_piece.lambda, speed2).most < 0) {
-    decideFree(speed2);
-    return;
-  }
-  const double rest = interval().to - m_piece.lambda;
-  const double over = std::max(0.0, brakeLine2(m_piece.lambda) - speed2);
-  const double meetsBrake = brake() > 0 ? over / (2 * brake()) : kNever;
-  settle(0, std::min(rest, meetsBrake), speed2, meetsBrake < rest ? Follow::Brake : Follow::Nothing);
-}
-
-// Down along K to its value at the end of the interval; where the axes do not admit that, what they admit.
-void Interpolator::decideBrake(double speed2) {
-  const double rest = interval().to - m_piece.lambda;
+// As fast as the axes admit, until a line is met.
+void Interpolator::decideFree(const Lines& lines, double speed2) {
   const double most = admissible(segment(), interval(), m_limits, m_piece.lambda, speed2).most;
-  if (most < -brake() - kRounding) {
-    settle(most, rest, speed2 + 2 * most * rest, Follow::Nothing);
-  } else {
-    settle(-brake(), rest, brakeLine2(interval().to), Follow::Nothing);
+  double distance = interval().to - m_piece.lambda;
+  std::optional<Bound> next;
+  for (const Bound bound : {Bound::Feed, Bound::Cap, Bound::Brake}) {
+    const Line& line = lines[static_cast<std::size_t>(bound)];
+    const double meets = std::max(0.0, line.speed2 - speed2) / (2 * most - line.slope);
+    if (2 * most > line.slope && meets < distance) {
+      distance = meets;
+      next = bound;
+    }
   }
+  double endSpeed2 = speed2 + 2 * most * distance;
+  for (const Line& line : lines) {
+    endSpeed2 = std::min(endSpeed2, line.speed2 + line.slope * distance);
+  }
+  settle(most, distance, endSpeed2, next);
 }
 
-// As fast as the axes admit, until the feed or K is met.
-void Interpolator::decideFree(double speed2) {
-  const double most = admissible(segment(), interval(), m_limits, m_piece.lambda, speed2).most;
-  const double rest = interval().to - m_piece.lambda;
-  const double feed = feed2();
-  const double meetsFeed = most > 0 ? (feed - speed2) / (2 * most) : kNever;
-  const double closing = most + brake();
-  const double meetsBrake = closing > 0 ? std::max(0.0, brakeLine2(m_piece.lambda) - speed2) / (2 * closing) : kNever;
-  if (meetsBrake < rest && meetsBrake <= meetsFeed) {
-    settle(most, meetsBrake, brakeLine2(m_piece.lambda + meetsBrake), Follow::Brake);
-  } else if (meetsFeed < rest) {
-    settle(most, meetsFeed, feed, Follow::Feed);
-  } else {
-    settle(most, rest, std::min(speed2 + 2 * most * rest, brakeLine2(interval().to)), Follow::Nothing);
-  }
-}
-
-// Above the cap, or in a hold: down as fast as the axes admit, until the cap is met or the wheel rests.
-void Interpolator::decideFall(double speed2) {
+// Above the bounds, or in a hold: down as fast as the axes admit, until the last line is met or the wheel rests.
+void Interpolator::decideFall(const Lines& lines, double speed2) {
   if (speed2 == 0) {
     standStill();
     return;
   }
   const double least = std::min(0.0, admissible(segment(), interval(), m_limits, m_piece.lambda, speed2).least);
   const double rest = interval().to - m_piece.lambda;
-  const double toRest = least < 0 ? speed2 / (-2 * least) : kNever;
   if (m_override == 0) {
-    settle(least, std::min(rest, toRest), toRest <= rest ? 0.0 : speed2 + 2 * least * rest, Follow::Nothing);
+    const double toRest = least < 0 ? speed2 / (-2 * least) : kNever;
+    settle(least, std::min(rest, toRest), toRest <= rest ? 0.0 : speed2 + 2 * least * rest, std::nullopt);
     return;
   }
-  double toFeed = kNever;
-  if (least < 0) {
-    toFeed = std::max(0.0, (speed2 - feed2()) / (-2 * least));
+  double distance = 0;
+  std::optional<Bound> last;
+  for (const Bound bound : {Bound::Feed, Bound::Cap, Bound::Brake}) {
+    const Line& line = lines[static_cast<std::size_t>(bound)];
+    if (speed2 <= line.speed2) {
+      continue;
+    }
+    const double meets = line.slope > 2 * least ? (speed2 - line.speed2) / (line.slope - 2 * least) : kNever;
+    if (meets >= distance) {
+      distance = meets;
+      last = bound;
+    }
   }
-  const double closing = -least - brake();
-  const double over = speed2 - brakeLine2(m_piece.lambda);
-  double toBrake = closing > 0 ? over / (2 * closing) : kNever;
-  if (over <= 0) {
-    toBrake = 0;
-  }
-  const double meets = std::max(toFeed, toBrake);
-  if (meets < rest) {
-    settle(least, meets, std::min(feed2(), brakeLine2(m_piece.lambda + meets)),
-           toFeed >= toBrake ? Follow::Feed : Follow::Brake);
+  if (distance < rest) {
+    const Line& line = lines[static_cast<std::size_t>(*last)];
+    settle(least, distance, line.speed2 + line.slope * distance, last);
   } else {
-    settle(least, rest, speed2 + 2 * least * rest, Follow::Nothing);
+    settle(least, rest, speed2 + 2 * least * rest, std::nullopt);
   }
 }
 

@@ -2,7 +2,9 @@
 
 #include "core/motion/speed_limits.h"
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -68,8 +70,16 @@ public:
   }
 
 private:
-  /// What holds λ̇ at present.
-  enum class Follow { Nothing, Feed, Brake };
+  /// What bounds λ̇ in an interval: the feed, the speeds of blend and machine, braking. λ̇² may not exceed any of these
+  /// straight lines over λ.
+  enum class Bound { Feed, Cap, Brake };
+
+  struct Line {
+    double speed2 = 0; ///< λ̇² where the piece begins
+    double slope = 0;  ///< of λ̇² over λ, mm/s²
+  };
+
+  using Lines = std::array<Line, 3>;
 
   [[nodiscard]] const Interval& interval() const {
     return m_intervals[m_index];
@@ -79,15 +89,12 @@ private:
     return m_track[static_cast<std::size_t>(interval().segment)];
   }
 
-  [[nodiscard]] double feed2() const;
-  [[nodiscard]] double brake() const;
-  [[nodiscard]] double brakeLine2(double lambda) const;
+  [[nodiscard]] Lines lines() const;
   void decide();
-  void settle(double acceleration, double distance, double endSpeed2, Follow next);
-  void decideFeed(double speed2);
-  void decideBrake(double speed2);
-  void decideFree(double speed2);
-  void decideFall(double speed2);
+  void settle(double acceleration, double distance, double endSpeed2, std::optional<Bound> next);
+  void decideAlong(const Lines& lines, Bound bound, double speed2);
+  void decideFree(const Lines& lines, double speed2);
+  void decideFall(const Lines& lines, double speed2);
   void enterInterval();
   void standStill();
 
@@ -98,9 +105,8 @@ private:
   std::size_t m_index = 0;
   double m_time = 0;
   Piece m_piece;
-  double m_endSpeed2 = 0;                ///< λ̇² at the end of the piece
-  Follow m_follow = Follow::Nothing;     ///< during the piece
-  Follow m_followNext = Follow::Nothing; ///< after it
+  double m_endSpeed2 = 0;            ///< λ̇² at the end of the piece
+  std::optional<Bound> m_followNext; ///< the line that λ̇² lies on then
 };
 
 } // namespace arris::motion

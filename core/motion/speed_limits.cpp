@@ -52,42 +52,97 @@ void addTurningPoints(std::vector<double>& boundaries, const Parabola& p, double
   }
 }
 
-// Inner boundaries of the intervals of a segment, ascending.
+// Where the intervals of a segment begin and end, ascending from 0 to its length.
 std::vector<double> boundaries(const Segment& segment, double length, const AxisLimits& limits) {
-  std::vector<double> result;
   if (isUniform(segment, limits)) {
-    return result;
+    return {0, length};
   }
+  std::vector<double> inner;
   if (const auto* arc = std::get_if<Arc>(&segment.shape)) {
-    addUniform(result, length, static_cast<int>(std::ceil(std::abs(arc->sweep()) / kArcStep)));
-    addTurningPoints(result, *arc);
+    addUniform(inner, length, static_cast<int>(std::ceil(std::abs(arc->sweep()) / kArcStep)));
+    addTurningPoints(inner, *arc);
   } else {
-    addUniform(result, length, kBlendSteps);
-    addTurningPoints(result, std::get<Parabola>(segment.shape), length);
+    addUniform(inner, length, kBlendSteps);
+    addTurningPoints(inner, std::get<Parabola>(segment.shape), length);
   }
-  std::sort(result.begin(), result.end());
+  std::sort(inner.begin(), inner.end());
+  std::vector<double> result{0};
   const double same = kSameBoundary * length;
-  const auto outside = [=](double lambda) { return !(lambda > same && lambda < length - same); };
-  result.erase(std::remove_if(result.begin(), result.end(), outside), result.end());
-  result.erase(std::unique(result.begin(), result.end(), [=](double a, double b) { return b - a <= same; }),
-               result.end());
+  for (const double lambda : inner) {
+    if (lambda > result.back() + same && lambda < length - same) {
+      result.push_back(lambda);
+    }
+  }
+  result.push_back(length);
   return result;
 }
 
-// The greatest share of the speed that falls to each axis on the way from one evaluation to the other.
-Eigen::Vector3d greatestShare(const Segment& segment, const AxisLimits& limits, const Evaluation& from,
-                              const Evaluation& to) {
-  const auto* arc = std::get_if<Arc>(&segment.shape);
-  if (arc && isUniform(segment, limits)) { // one interval may hold a whole circle
+// The greatest share of the speed that falls to each axis on a segment of one interval.
+Eigen::Vector3d greatestShare(const Segment& segment) {
+  const double length = parameterLength(segment);
+  Eigen::Vector3d share = evaluate(segment, 0).first.cwiseAbs().cwiseMax(evaluate(segment, length).first.cwiseAbs());
+  if (const auto* arc = std::get_if<Arc>(&segment.shape)) { // maybe a whole circle
     std::vector<double> turning;
     addTurningPoints(turning, *arc);
-    Eigen::Vector3d share = from.first.cwiseAbs().cwiseMax(to.first.cwiseAbs());
     for (const double lambda : turning) {
       share = share.cwiseMax(evaluate(segment, lambda).first.cwiseAbs());
     }
-    return share;
   }
-  return from.first.cwiseAbs().cwiseMax(to.first.cwiseAbs());
+  return share;
+}
+
+// λ̇² that the segment lets pass wherever the axes' speeds do not bind.
+double constantCap2(const Segment& segment, const AxisLimits& limits) {
+  double cap = std::min(segment.speedCap, kHighestOverride * segment.feed);
+  const auto* arc = std::get_if<Arc>(&segment.shape);
+  if (arc && limits.rule == recipe::AccelerationRule::Combined) {
+    cap = std::min(cap, std::sqrt(uniformAcceleration(segment, limits) * arc->radius()));
+  }
+  return squared(cap);
+}
+
+double uniformCap2(const Segment& segment, const AxisLimits& limits) {
+  const Eigen::Vector3d share = greatestShare(segment);
+  double cap2 = constantCap2(segment, limits);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (cap2 * squared(share[axis]) > squared(limits.speed[axis])) {
+      cap2 = squared(limits.speed[axis] / share[axis]);
+    }
+  }
+  return cap2;
+}
+
+// Lowers the caps at both ends of an interval in which no axis turns round, so that the straight line between them
+// keeps the machine's speeds: (v_max,i / q'_i)² is convex over λ, and lies above its tangent in the middle.
+void lowerToMachine(double& atFrom, double& atTo, const Segment& segment, double from, double to,
+                    const AxisLimits& limits) {
+  const Evaluation first = evaluate(segment, from);
+  const Evaluation last = evaluate(segment, to);
+  for (int axis = 0; axis < 2; ++axis) {
+    const double share = std::max(std::abs(first.first[axis]), std::abs(last.first[axis]));
+    const double limit2 = squared(limits.speed[axis]);
+    if (std::max(atFrom, atTo) * squared(share) <= limit2) {
+      continue;
+    }
+    const Evaluation middle = evaluate(segment, (from + to) / 2);
+    const double tangent = limit2 / squared(middle.first[axis]);
+    const double half = tangent * middle.second[axis] / middle.first[axis] * (to - from); // that it falls by
+    const bool isSteep = !(std::abs(half) < tangent / 2);
+    atFrom = std::min(atFrom, isSteep ? limit2 / squared(share) : tangent + half);
+    atTo = std::min(atTo, isSteep ? limit2 / squared(share) : tangent - half);
+  }
+}
+
+// λ̇² at the ends of a segment's intervals, one more than there are intervals; straight lines between them.
+std::vector<double> caps2(const Segment& segment, const AxisLimits& limits, const std::vector<double>& ends) {
+  if (isUniform(segment, limits)) {
+    return std::vector<double>(ends.size(), uniformCap2(segment, limits));
+  }
+  std::vector<double> result(ends.size(), constantCap2(segment, limits));
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    lowerToMachine(result[i], result[i + 1], segment, ends[i], ends[i + 1], limits);
+  }
+  return result;
 }
 
 // Braking stays possible: an axis that would have to be pushed on while the path turns it back binds the speed alone.
@@ -103,21 +158,6 @@ double brakingLimit(double most, const Eigen::Vector2d& first, const Eigen::Vect
   return most;
 }
 
-double speedCap2(const Segment& segment, const AxisLimits& limits, const Evaluation& from, const Evaluation& to) {
-  const Eigen::Vector3d share = greatestShare(segment, limits, from, to);
-  double cap = std::min(segment.speedCap, kHighestOverride * segment.feed);
-  for (int axis = 0; axis < 3; ++axis) {
-    if (cap * share[axis] > limits.speed[axis]) {
-      cap = limits.speed[axis] / share[axis];
-    }
-  }
-  const auto* arc = std::get_if<Arc>(&segment.shape);
-  if (arc && limits.rule == recipe::AccelerationRule::Combined) {
-    cap = std::min(cap, std::sqrt(uniformAcceleration(segment, limits) * arc->radius()));
-  }
-  return squared(cap);
-}
-
 /// The backward pass over one interval after the other, from the end.
 class BackwardPass {
 public:
@@ -129,18 +169,16 @@ public:
     }
   }
 
-  void uniform(const Segment& segment, Interval& interval, const Evaluation& from, const Evaluation& to) {
-    interval.cap2 = speedCap2(segment, m_limits, from, to);
+  void uniform(const Segment& segment, Interval& interval) {
     interval.end2 = std::min(m_next2, interval.cap2);
     interval.brake = uniformAcceleration(segment, m_limits);
     m_next2 = std::min(interval.cap2, interval.end2 + 2 * interval.brake * (interval.to - interval.from));
   }
 
-  void curved(const Segment& segment, Interval& interval, const Evaluation& from, const Evaluation& to) {
+  void curved(Interval& interval, const Evaluation& from, const Evaluation& to) {
     const Eigen::Vector2d most = planningLimits(m_limits).head<2>();
     const Eigen::Vector2d inside = (from.first + to.first).head<2>();
-    interval.cap2 = speedCap2(segment, m_limits, from, to);
-    const double endMost = brakingLimit(interval.cap2, to.first.head<2>(), inside, to.second.head<2>(), most);
+    const double endMost = brakingLimit(interval.capEnd2, to.first.head<2>(), inside, to.second.head<2>(), most);
     const double startMost = brakingLimit(interval.cap2, from.first.head<2>(), inside, from.second.head<2>(), most);
     interval.end2 = std::min(m_next2, endMost);
 
@@ -174,22 +212,19 @@ std::vector<Interval> speedLimits(const std::vector<Segment>& track, const AxisL
   BackwardPass pass(limits);
   for (std::size_t s = track.size(); s-- > 0;) {
     const Segment& segment = track[s];
-    const double length = parameterLength(segment);
-    const std::vector<double> inner = boundaries(segment, length, limits);
+    const std::vector<double> ends = boundaries(segment, parameterLength(segment), limits);
+    const std::vector<double> caps = caps2(segment, limits, ends);
     pass.enter(segment);
-    double to = length;
-    Evaluation atEnd = evaluate(segment, length);
-    for (std::size_t b = inner.size() + 1; b-- > 0;) {
-      const double from = b > 0 ? inner[b - 1] : 0;
-      const Evaluation atStart = evaluate(segment, from);
-      Interval interval{static_cast<int>(s), from, to, 0, 0, 0};
+    Evaluation atEnd = evaluate(segment, ends.back());
+    for (std::size_t i = ends.size() - 1; i-- > 0;) {
+      const Evaluation atStart = evaluate(segment, ends[i]);
+      Interval interval{static_cast<int>(s), ends[i], ends[i + 1], caps[i], caps[i + 1], 0, 0};
       if (isUniform(segment, limits)) {
-        pass.uniform(segment, interval, atStart, atEnd);
+        pass.uniform(segment, interval);
       } else {
-        pass.curved(segment, interval, atStart, atEnd);
+        pass.curved(interval, atStart, atEnd);
       }
       result.push_back(interval);
-      to = from;
       atEnd = atStart;
     }
   }

@@ -16,15 +16,16 @@ struct AxisLimits {
 
 [[nodiscard]] AxisLimits axisLimits(const recipe::Recipe& recipe, const recipe::Machine& machine);
 
-/// A stretch of one segment on which λ̈ may be held. K² falls at most along a straight line over λ inside it:
-/// K²(λ) = min(cap2, end2 + 2 brake (to − λ)).
+/// A stretch of one segment on which λ̈ may be held. Inside it K² is the lesser of two straight lines over λ: what the
+/// speeds of blend and machine let pass, from cap2 to capEnd2, and the braking line end2 + 2 brake (to − λ).
 struct Interval {
   int segment = 0;
   double from = 0; ///< λ, mm
   double to = 0;
-  double cap2 = 0;  ///< (mm/s)², λ̇² that neither v_trans, the machine's speeds nor the axes let exceed
-  double end2 = 0;  ///< K² at `to`
-  double brake = 0; ///< mm/s², ≥ 0: a deceleration that the axes have all along K²
+  double cap2 = 0;    ///< (mm/s)², at `from`
+  double capEnd2 = 0; ///< (mm/s)², at `to`
+  double end2 = 0;    ///< K² at `to`
+  double brake = 0;   ///< mm/s², ≥ 0: a deceleration that the axes have all along K²
 };
 
 /// The highest override, as a factor: K holds for all up to it.

@@ -270,7 +270,9 @@ private:
     forNearestPairs(free, std::numeric_limits<double>::infinity(), tell);
     for (const EndId end : free) {
       if (!told[end]) {
-        tell(end, otherEnd(end));
+        const double length = (m_ends[end] - m_ends[otherEnd(end)]).norm();
+        m_result.problems.push_back(Problem(Code::StrayPiece, {{"length_mm", length}}).at(m_ends[end]));
+        told[end] = told[otherEnd(end)] = true;
       }
     }
   }

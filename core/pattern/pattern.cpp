@@ -19,9 +19,6 @@ using base::Problem;
 using base::Problems;
 using geometry::Curve;
 
-/// Of one kind no more problems than this are listed: the drawing is read again after the first are mended.
-constexpr std::int64_t kMostOfOneKind = 20;
-
 void append(Problems& problems, const Problems& more) {
   problems.insert(problems.end(), more.begin(), more.end());
 }
@@ -33,18 +30,6 @@ void sortByPlace(Problems& problems) {
     return std::tuple(p.code, where.y(), where.x());
   };
   std::sort(problems.begin(), problems.end(), [&](const Problem& a, const Problem& b) { return place(a) < place(b); });
-}
-
-void keepTheFirstOfEachKind(Problems& problems) {
-  std::map<Code, std::int64_t> counts;
-  const auto isTooMany = [&counts](const Problem& p) { return ++counts[p.code] > kMostOfOneKind; };
-  problems.erase(std::remove_if(problems.begin(), problems.end(), isTooMany), problems.end());
-  for (const auto& [code, count] : counts) {
-    if (count > kMostOfOneKind) {
-      problems.push_back(Problem(Code::MoreNotListed,
-                                 {{"count", count - kMostOfOneKind}, {"code", std::string(base::info(code).name)}}));
-    }
-  }
 }
 
 bool isOneOf(const Problem& problem, std::initializer_list<Code> codes) {
@@ -76,7 +61,7 @@ Pattern readInventory(const Inventory& inventory, const ImportOptions& options) 
   if (units.problem) {
     pattern.problems.insert(pattern.problems.begin(), *units.problem);
   }
-  keepTheFirstOfEachKind(pattern.problems);
+  base::keepFirstOfEachCode(pattern.problems);
   return pattern;
 }
 
@@ -113,7 +98,7 @@ Pattern joinPieces(std::vector<Curve> pieces, double gap) {
   append(pattern.problems, checkContours(pattern.contours));
   sortByPlace(pattern.repairs);
   sortByPlace(pattern.problems);
-  keepTheFirstOfEachKind(pattern.problems);
+  base::keepFirstOfEachCode(pattern.problems);
   return pattern;
 }
 

@@ -81,7 +81,7 @@ Problems checkLead(const Curve& lead, const char* what, const CompensatedContour
       const bool isEntered = contour.contour == own.contour && ownEdge[i];
       const double needed = isEntered ? recipe.wheelRadius - base::kContourAccuracy : clear;
       const double distance = geometry::distance(lead, contour.edges[i].contour, needed);
-      if (distance < needed) {
+      if (distance < needed - base::kZeroLength) {
         return {noLead(what, needed, distance, geometry::startPoint(lead), own.contour)};
       }
     }
@@ -163,7 +163,7 @@ Problems checkLeads(const Chain& chain, const CompensatedContour& own, const Sta
   for (const auto& [place, what] :
        {std::pair{geometry::startPoint(in), "go down"}, {geometry::endPoint(out), "come up"}}) {
     const double distance = leastDistance(all, place);
-    if (distance < clear) {
+    if (distance < clear - base::kZeroLength) {
       problems.push_back(noLead(what, clear, distance, place, own.contour));
     }
   }

@@ -93,6 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
     Of, WrongUsage,
     testing::Values(Usage{"NoPattern", {"plan"}, "PATTERN"},
                     Usage{"TwoPatterns", {"plan", kTriangle, "b.dxf"}, "b.dxf"},
+                    Usage{"EmptyName", {"plan", kTriangle, "--report", ""}, "empty"},
                     Usage{"UnknownOption", {"plan", kTriangle, "--fed", "3"}, "--fed"},
                     Usage{"NoValue", {"plan", kTriangle, "--feed"}, "--feed"},
                     Usage{"OptionTwice", {"plan", kTriangle, "--feed", "100", "--feed", "200"}, "--feed"},

@@ -99,6 +99,22 @@ TEST(StandardOutput, ThatIsFullIsAFailure) {
   EXPECT_EQ(std::system((std::string(ARRIS_PROGRAM) + " help >/dev/full 2>/dev/null").c_str()) >> 8, 4);
 }
 
+TEST(Outputs, OfOneFileUnderTwoNamesAreRefused) {
+  const Scratch scratch;
+  const std::string file = (scratch / "a.json").string();
+  const std::string roundabout = (scratch / "./a.json").string();
+  const std::string link = (scratch / "link.json").string();
+  std::filesystem::create_symlink("a.json", link);
+  for (const std::string& other : {roundabout, link}) {
+    EXPECT_EQ(arris({"plan", kPane, "--report", file, "--profile", other}).status, 2) << other;
+    EXPECT_FALSE(std::filesystem::exists(file));
+  }
+}
+
+TEST(Outputs, ThatAreNoRegularFilesAreWritten) {
+  EXPECT_EQ(arris({"plan", kPane, "--report", "/dev/null"}).status, 0);
+}
+
 std::string recipeWith(const Scratch& scratch, const std::string& content) {
   std::string file = (scratch / "recipe.json").string();
   writeTo(file, content);

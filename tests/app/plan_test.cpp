@@ -91,7 +91,7 @@ TEST(Plan, OfAnOpenContourSaysWhereAndWritesOnlyReportAndPreview) {
                    "0\nENDSEC\n0\nEOF\n");
   const Outcome outcome = arris(planWithAllOutputs(pattern, scratch));
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("open-chain"), HasSubstr("7.5"), HasSubstr(" mm: ")));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("open-chain"), HasSubstr("7.5"), HasSubstr(" mm in the drawing: ")));
   EXPECT_TRUE(fs::exists(scratch / "r.json"));
   EXPECT_TRUE(fs::exists(scratch / "v.svg"));
   EXPECT_FALSE(fs::exists(scratch / "p.csv"));

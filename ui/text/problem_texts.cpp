@@ -67,6 +67,9 @@ const std::vector<const char*>& problemTemplates() {
       QT_TRANSLATE_NOOP(
           "Problem",
           "The contour is open here: the next free end is {gap_mm} mm away (up to {tolerance_mm} mm are joined)."),
+      QT_TRANSLATE_NOOP(
+          "Problem",
+          "A single piece, its ends {length_mm} mm apart, belongs to no contour; it may lie on top of another."),
       QT_TRANSLATE_NOOP("Problem", "{count} pieces meet here; a contour cannot branch."),
       QT_TRANSLATE_NOOP("Problem", "The drawing has no closed contour."),
       QT_TRANSLATE_NOOP("Problem", "The drawing has {count} contours; only a single outline can be ground yet."),
@@ -86,11 +89,15 @@ const std::vector<const char*>& problemTemplates() {
           "Corner {corner}: the wheel lifts by {lift_mm} mm, less than the {depth_mm} mm of glass at the tip."),
       QT_TRANSLATE_NOOP("Problem", "Corner {corner} takes {time_s} s."),
       QT_TRANSLATE_NOOP("Problem", "The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the "
-                                   "glass and has {distance_mm} mm."),
+                                   "glass and has {distance_mm} mm. Start on a longer edge away from sharp "
+                                   "corners, or change the lead's radius."),
       QT_TRANSLATE_NOOP("Problem", "The overlap is {used_mm} mm, a quarter of the contour, instead of {wanted_mm} mm."),
       QT_TRANSLATE_NOOP("Problem", "The wheel path leaves the travel of the machine by {excess_mm} mm: {what}."),
       QT_TRANSLATE_NOOP("Problem", "The wheel's lower face would be {height_mm} mm above the table while grinding; it "
                                    "must stay {least_mm} mm above."),
+      QT_TRANSLATE_NOOP("Problem",
+                        "At the park position the wheel's lower face would be {height_mm} mm above the table, "
+                        "over or beside the glass; it must be {least_mm} mm above."),
       QT_TRANSLATE_NOOP("Problem", "The {what} height of {height_mm} mm is outside the travel of 0 to {most_mm} mm."),
       QT_TRANSLATE_NOOP("Problem",
                         "The grinding height of {height_mm} mm is above the clearance height of {clearance_mm} mm."),

@@ -27,8 +27,17 @@ TEST(ProblemTable, NamesAreKebabCaseAndUsedOnce) {
 TEST(Problem, IsDescribedWithItsValuesAndPlace) {
   const Problem gap = Problem(Code::OpenChain, {{"gap_mm", 0.25}, {"tolerance_mm", 0.05}}).at({10.5, 20}).onLine(12);
   EXPECT_EQ(describeWithPlace(gap),
-            "error: line 12: at (10.500, 20.000) mm: The contour is open here: the next free end is "
+            "error: line 12: at (10.500, 20.000) mm in the drawing: The contour is open here: the next free end is "
             "0.25 mm away (up to 0.05 mm are joined). [open-chain]");
+}
+
+TEST(Problem, OfOneCodeTwentyAreListedAndTheRestCounted) {
+  Problems problems(50, Problem(Code::OpenChain));
+  problems.emplace_back(Code::NoContour);
+  keepFirstOfEachCode(problems);
+  ASSERT_EQ(problems.size(), 22U);
+  EXPECT_EQ(problems.back().code, Code::MoreNotListed);
+  EXPECT_NE(describe(problems.back()).find("30"), std::string::npos);
 }
 
 TEST(Problem, ANameWithoutAValueStaysVisible) {

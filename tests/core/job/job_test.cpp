@@ -94,6 +94,38 @@ TEST(Heights, AWheelThatWouldTouchTheTableIsRefused) {
   EXPECT_TRUE(plan(recipe).canBeGround());
 }
 
+TEST(Park, AWheelParkedInGlassOrTableIsRefused) {
+  Machine machine;
+  for (const Eigen::Vector3d& park : {Eigen::Vector3d(750, 1250, 67.9), Eigen::Vector3d(100, 100, 15.9)}) {
+    machine.park = park; // lower face at 52.9 above the glass of 52, and at 0.9
+    EXPECT_THAT(plan({}, machine).problems, Contains(Field(&base::Problem::code, Code::ParkTooLow)));
+    machine.park.z() += 0.2;
+    EXPECT_TRUE(plan({}, machine).canBeGround());
+  }
+}
+
+// Along the stretches where the X axis is at its speed the wheel follows the circle evenly: few events, and X at its
+// limit all the while.
+TEST(Speed, WhereAnAxisIsAtItsSpeedTheWheelFollowsTheCurveEvenly) {
+  Machine machine;
+  machine.maxSpeed.x() = 3000; // mm/min; the feed is 3600
+  const Job job = planJob(test::paneOf({geometry::arcAbout({0, 0}, 250, -base::kPi / 2, 2 * base::kPi)}), {}, machine);
+  ASSERT_TRUE(job.canBeGround());
+  int turns = 0;
+  double atLimit = 0;
+  for (std::size_t i = 1; i < job.pieces.size(); ++i) {
+    const motion::Piece& piece = job.pieces[i].motion;
+    const motion::Piece& before = job.pieces[i - 1].motion;
+    turns += std::abs(piece.acceleration - before.acceleration) > 1 ? 1 : 0; // of 20 mm/s²
+    const motion::Segment& segment = job.track[static_cast<std::size_t>(piece.segment)];
+    const double speedX = motion::setPointAt(piece, segment, piece.time + piece.duration / 2).velocity.cwiseAbs().x();
+    EXPECT_LE(speedX, 50 * (1 + 1e-9));
+    atLimit += segment.move == motion::Move::Contour && speedX > 50 * (1 - 1e-5) ? piece.duration : 0;
+  }
+  EXPECT_LT(turns, 50);
+  EXPECT_GT(atLimit, 5);
+}
+
 TEST(Heights, AClearanceAboveTheTravelIsRefused) {
   Recipe recipe;
   recipe.clearance = 53.1; // 40 + 12 + 53.1 + 15

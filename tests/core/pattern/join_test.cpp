@@ -186,11 +186,11 @@ TEST(Join, EveryGapIsToldOnce) {
   EXPECT_NEAR(number(open[1], "gap_mm"), 2, 1e-12);
 }
 
-TEST(Join, ALonePieceFacesItself) {
+TEST(Join, ALonePieceIsNamedWithTheDistanceOfItsEnds) {
   const Pattern pattern = joinPieces({Line{{0, 0}, {30, 40}}}, kGap);
   ASSERT_EQ(pattern.problems.size(), 1U);
-  EXPECT_EQ(pattern.problems[0].code, Code::OpenChain);
-  EXPECT_NEAR(number(pattern.problems[0], "gap_mm"), 50, 1e-12);
+  EXPECT_EQ(pattern.problems[0].code, Code::StrayPiece);
+  EXPECT_NEAR(number(pattern.problems[0], "length_mm"), 50, 1e-12);
 }
 
 TEST(Join, NamesThePlaceWherePiecesBranch) {
