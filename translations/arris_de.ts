@@ -824,7 +824,7 @@
     </message>
     <message>
         <source>Widest, leg ℓ</source>
-        <translation>Abstand, Schenkel ℓ</translation>
+        <translation>Abstand, ℓ</translation>
     </message>
     <message>
         <source>Relief</source>

@@ -43,6 +43,7 @@ QPushButton:focus, QToolButton:focus, QLineEdit:focus, QAbstractItemView:focus, 
   border: 3px solid #1f2428;
 }
 QLineEdit:focus { min-height: 38px; padding: 0 7px; }
+QLineEdit QToolButton { min-height: 0; min-width: 0; padding: 0; border: none; background: none; }
 QLineEdit[invalid="true"] { border-color: #b3261e; background: #fdf3f2; }
 QTabBar::tab {
   min-height: 44px; min-width: 44px; padding: 0 14px;

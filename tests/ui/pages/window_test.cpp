@@ -138,6 +138,9 @@ TEST_F(Window, NamesTheRangeOfAWrongValueAndKeepsTheLastGoodPlan) {
   EXPECT_TRUE(text("complaint").contains("Wheel radius is out of range; it must be from 0.5 to 500"))
       << text("complaint").toStdString();
   EXPECT_DOUBLE_EQ(job().recipe.wheelRadius, 70); // as far as the typing was valid
+  const auto* sign = field("wheel_radius_mm")->findChild<QAbstractButton*>();
+  EXPECT_TRUE(field("wheel_radius_mm")->rect().contains(sign->geometry()));
+  QTest::qWait(300); // the sign fades in
   test::keep("window-wrong-value", m_window);
   type("wheel_radius_mm", "80");
   EXPECT_EQ(text("complaint"), "");
