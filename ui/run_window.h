@@ -9,10 +9,11 @@ class QApplication;
 
 namespace arris::ui {
 
-/// Theme and language for the whole program: Qt's own texts too. Without a translation the texts are English.
+/// Name and theme for the whole program.
 void prepareApplication(QApplication& application);
 
-/// Opens the window, with a pattern where one is given, and runs until it is closed. Returns the exit status.
+/// Opens the window in the language of the system, with a pattern where one is given, and runs until it is closed.
+/// Returns the exit status.
 int runWindow(QApplication& application, const std::optional<std::filesystem::path>& pattern,
               const recipe::Machine& machine = {});
 

@@ -132,14 +132,14 @@ Zone zoneOf(std::string_view phase) {
   return phase == "accelerate" ? Zone::Leaving : Zone::None;
 }
 
-ProfileColumns columnsOf(const job::Job& job) {
+ProfileColumns columnsOf(const job::Job& job, const std::function<bool()>& wanted) {
   ProfileColumns columns;
   if (job.pieces.empty()) {
     return columns;
   }
   job::Sampler sampler(job);
   reserve(columns, sampler.count());
-  while (!sampler.done()) {
+  while (!sampler.done() && wanted()) {
     const job::Sample row = sampler.next();
     append(columns, {row.setPoint.time, row.setPoint.position, row.setPoint.velocity, row.setPoint.axisAcceleration,
                      row.speed, row.path, row.contour, row.segment, job::name(row.phase), row.corner, row.distance});

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -29,8 +30,10 @@ struct ProfileColumns {
   std::vector<Zone> zone;
 };
 
-/// Every row of the planned profile.
-[[nodiscard]] ProfileColumns columnsOf(const job::Job& job);
+/// Every row of the planned profile; fewer where it is no longer `wanted` meanwhile: a slow feed makes millions of
+/// rows.
+[[nodiscard]] ProfileColumns columnsOf(
+    const job::Job& job, const std::function<bool()>& wanted = [] { return true; });
 
 /// A profile that was read back from a file.
 [[nodiscard]] ProfileColumns columnsOf(std::span<const files::ProfileRow> rows);

@@ -43,15 +43,16 @@ QVariant ProblemModel::data(const QModelIndex& index, int role) const {
   if (role != Qt::DisplayRole) {
     return {};
   }
-  QString text = severityText(severity) + QStringLiteral(": ") + problemText(problem, QLocale());
+  QString place;
   if (problem.line) {
-    text += QLatin1Char(' ') + tr("(line %1 of the file)").arg(*problem.line);
+    place = tr("(line %1 of the file)").arg(*problem.line);
   } else if (problem.where) {
-    text += QLatin1Char(' ') +
-            tr("(at X %1, Y %2 mm)")
+    place = tr("(at X %1, Y %2 mm)")
                 .arg(fixedText(problem.where->x(), 1, QLocale()), fixedText(problem.where->y(), 1, QLocale()));
   }
-  return text;
+  return tr("%1: %2 %3")
+      .arg(severityText(severity), problemText(problem, QLocale()), place.replace(QLatin1Char(' '), QChar::Nbsp))
+      .trimmed();
 }
 
 } // namespace arris::ui

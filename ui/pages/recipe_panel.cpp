@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<std::string_view, 7> kKeys{"wheel_radius_mm", "accel_x_mm_s2", "accel_y_mm_s2", "thickness_mm",
                                                 "depth_mm",        "feed_mm_min",   "spindle_r_min"};
 
-constexpr int kComplaintLines = 4;
+constexpr int kComplaintLines = 6;
 
 double mostOn(const recipe::NumberField& field, const recipe::Machine& machine) {
   if (field.member == &recipe::Recipe::accelX) {
@@ -40,16 +40,16 @@ double rimSpeed(const recipe::Recipe& recipe) {
 
 RecipePanel::RecipePanel(const recipe::Recipe& recipe, const recipe::Machine& machine, QWidget* parent)
     : QWidget(parent), m_recipe(recipe), m_open(new QPushButton(tr("&Open pattern…"))), m_pattern(new QLabel),
-      m_rimSpeed(new QLabel), m_complaints(new QLabel) {
+      m_rimSpeed(new QLabel), m_complaint(new QLabel) {
   m_open->setObjectName(QStringLiteral("open"));
   m_open->setShortcut(QKeySequence::Open);
-  m_complaints->setObjectName(QStringLiteral("complaints"));
-  m_complaints->setWordWrap(true);
-  m_complaints->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  m_complaints->setMinimumHeight(kComplaintLines * fontMetrics().lineSpacing()); // nothing jumps when it fills
+  m_complaint->setObjectName(QStringLiteral("complaint"));
+  m_complaint->setWordWrap(true);
+  m_complaint->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  m_complaint->setMinimumHeight(kComplaintLines * fontMetrics().lineSpacing()); // nothing jumps when it fills
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(8, 8, 8, 8);
-  layout->setSpacing(5);
+  layout->setContentsMargins(8, 0, 8, 0);
+  layout->setSpacing(4);
   layout->addWidget(m_open);
   layout->addWidget(m_pattern);
   for (const std::string_view key : kKeys) {
@@ -58,10 +58,10 @@ RecipePanel::RecipePanel(const recipe::Recipe& recipe, const recipe::Machine& ma
     m_fields.push_back(edit);
     layout->addWidget(edit);
     connect(edit, &NumberEdit::valueChanged, this, [this, edit] { take(*edit); });
-    connect(edit, &NumberEdit::complaintChanged, this, &RecipePanel::showComplaints);
+    connect(edit, &NumberEdit::complaintChanged, this, &RecipePanel::showComplaint);
   }
   layout->addWidget(m_rimSpeed);
-  layout->addWidget(m_complaints, 1);
+  layout->addWidget(m_complaint, 1);
   connect(m_open, &QPushButton::clicked, this, &RecipePanel::openRequested);
   setPatternName({});
   showRimSpeed();
@@ -89,17 +89,17 @@ void RecipePanel::showRimSpeed() {
   m_rimSpeed->setText(tr("Rim speed: %1 m/s").arg(fixedText(rimSpeed(m_recipe), 1, QLocale())));
 }
 
-void RecipePanel::showComplaints() {
-  QStringList complaints;
+// One at a time, that of the field being typed into first: there is no room for more.
+void RecipePanel::showComplaint() {
+  QString complaint;
   for (const NumberEdit* edit : m_fields) {
-    if (!edit->complaint().isEmpty()) {
-      complaints += edit->complaint();
+    if (!edit->complaint().isEmpty() && (complaint.isEmpty() || edit->line()->hasFocus())) {
+      complaint = edit->complaint();
     }
   }
-  if (!complaints.isEmpty()) {
-    complaints += tr("The drawing still shows the last valid values.");
-  }
-  m_complaints->setText(complaints.join(QLatin1Char('\n')));
+  m_complaint->setText(complaint.isEmpty()
+                           ? complaint
+                           : complaint + QLatin1Char('\n') + tr("The drawing still shows the last valid values."));
 }
 
 } // namespace arris::ui

@@ -38,7 +38,7 @@ Q_SIGNALS:
 
 private:
   void take(const NumberEdit& field);
-  void showComplaints();
+  void showComplaint();
   void showRimSpeed();
 
   recipe::Recipe m_recipe;
@@ -46,7 +46,7 @@ private:
   QLabel* m_pattern;
   std::vector<NumberEdit*> m_fields;
   QLabel* m_rimSpeed;
-  QLabel* m_complaints;
+  QLabel* m_complaint;
 };
 
 /// Speed of the wheel's rim, m/s.

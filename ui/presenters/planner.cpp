@@ -112,7 +112,8 @@ void Planner::work(const Request& request) {
       Q_EMIT planned(plan);
     });
     if (plan->job.canBeGround() && isLatest(request.number)) {
-      auto curves = std::make_shared<const ProfileCurves>(curvesOf(columnsOf(plan->job), QString()));
+      const ProfileColumns columns = columnsOf(plan->job, [&] { return isLatest(request.number); });
+      auto curves = std::make_shared<const ProfileCurves>(curvesOf(columns, QString()));
       deliver(request.number, [this, curves] { Q_EMIT profileReady(curves); });
     }
   }

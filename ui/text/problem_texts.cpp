@@ -1,13 +1,29 @@
 #include "ui/text/problem_texts.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <algorithm>
 
 namespace arris::ui {
 namespace {
 
-constexpr const char* kContext = "Problem";
+// Words of core in the language of the window; whatever else a value says, as it is.
+QString wordsText(const QString& words) {
+  for (const char* word : problemWords()) {
+    QString pattern = QRegularExpression::escape(QString::fromUtf8(word));
+    pattern.replace(QStringLiteral("\\{\\}"), QStringLiteral("(.+)"));
+    const auto match = QRegularExpression(QRegularExpression::anchoredPattern(pattern)).match(words);
+    if (match.hasMatch()) {
+      QString text = QCoreApplication::translate("ProblemWord", word);
+      for (int i = 1; i <= match.lastCapturedIndex(); ++i) {
+        text.replace(text.indexOf(QStringLiteral("{}")), 2, match.captured(i));
+      }
+      return text;
+    }
+  }
+  return words;
+}
 
 // A figure as the table's own function writes it, up to six significant digits, but in the operator's numbers.
 QString valueText(const base::Value& value, QLocale locale) {
@@ -18,7 +34,7 @@ QString valueText(const base::Value& value, QLocale locale) {
   if (const auto* count = std::get_if<std::int64_t>(&value.value)) {
     return locale.toString(static_cast<qlonglong>(*count));
   }
-  return QString::fromStdString(std::get<std::string>(value.value));
+  return wordsText(QString::fromStdString(std::get<std::string>(value.value)));
 }
 
 } // namespace
@@ -109,9 +125,70 @@ const std::vector<const char*>& problemTemplates() {
   return kTemplates;
 }
 
+const std::vector<const char*>& problemWords() {
+  // The first that fits is taken, so "group {}" stands after all that begins alike.
+  static const std::vector<const char*> kWords = {
+      QT_TRANSLATE_NOOP("ProblemWord", "No such file or directory"),
+      QT_TRANSLATE_NOOP("ProblemWord", "Permission denied"),
+      QT_TRANSLATE_NOOP("ProblemWord", "Is a directory"),
+      QT_TRANSLATE_NOOP("ProblemWord", "Input/output error"),
+      QT_TRANSLATE_NOOP("ProblemWord", "it holds NUL bytes"),
+      QT_TRANSLATE_NOOP("ProblemWord", "it is a DWG drawing; save it as ASCII DXF"),
+      QT_TRANSLATE_NOOP("ProblemWord", "it is UTF-16 text; save it as ASCII DXF"),
+      QT_TRANSLATE_NOOP("ProblemWord", "it begins with {} and not with a group code"),
+      QT_TRANSLATE_NOOP("ProblemWord", "an empty line"),
+      QT_TRANSLATE_NOOP("ProblemWord", "the last group code has no value"),
+      QT_TRANSLATE_NOOP("ProblemWord", "there is no EOF"),
+      QT_TRANSLATE_NOOP("ProblemWord", "there is no EOF; the last POLYLINE has no SEQEND"),
+      QT_TRANSLATE_NOOP("ProblemWord", "there is no EOF, and section {} has no ENDSEC"),
+      QT_TRANSLATE_NOOP("ProblemWord", "section {} has no ENDSEC before the next SECTION"),
+      QT_TRANSLATE_NOOP("ProblemWord", "section {} has no ENDSEC before EOF"),
+      QT_TRANSLATE_NOOP("ProblemWord", "ENDSEC without a SECTION"),
+      QT_TRANSLATE_NOOP("ProblemWord", "the section has no name"),
+      QT_TRANSLATE_NOOP("ProblemWord", "the POLYLINE of line {} has no SEQEND"),
+      QT_TRANSLATE_NOOP("ProblemWord", "the POLYLINE of line {} has no SEQEND before {}"),
+      QT_TRANSLATE_NOOP("ProblemWord", "{} without a POLYLINE before it"),
+      QT_TRANSLATE_NOOP("ProblemWord", "group {} belongs to no entity"),
+      QT_TRANSLATE_NOOP("ProblemWord", "group {} stands outside of any section"),
+      QT_TRANSLATE_NOOP("ProblemWord", "{} stands outside of any section"),
+      QT_TRANSLATE_NOOP("ProblemWord", "group {}"),
+      QT_TRANSLATE_NOOP("ProblemWord", "twice"),
+      QT_TRANSLATE_NOOP("ProblemWord", "X of its start"),
+      QT_TRANSLATE_NOOP("ProblemWord", "Y of its start"),
+      QT_TRANSLATE_NOOP("ProblemWord", "X of its end"),
+      QT_TRANSLATE_NOOP("ProblemWord", "Y of its end"),
+      QT_TRANSLATE_NOOP("ProblemWord", "X of its centre"),
+      QT_TRANSLATE_NOOP("ProblemWord", "Y of its centre"),
+      QT_TRANSLATE_NOOP("ProblemWord", "radius"),
+      QT_TRANSLATE_NOOP("ProblemWord", "start angle"),
+      QT_TRANSLATE_NOOP("ProblemWord", "end angle"),
+      QT_TRANSLATE_NOOP("ProblemWord", "the radius"),
+      QT_TRANSLATE_NOOP("ProblemWord", "a bulge of"),
+      QT_TRANSLATE_NOOP("ProblemWord", "vertices"),
+      QT_TRANSLATE_NOOP("ProblemWord", "on layer {}, which is never plotted"),
+      QT_TRANSLATE_NOOP("ProblemWord", "layer {} is frozen"),
+      QT_TRANSLATE_NOOP("ProblemWord", "layer {} is off"),
+      QT_TRANSLATE_NOOP("ProblemWord", "in paper space"),
+      QT_TRANSLATE_NOOP("ProblemWord", "no part of a contour"),
+      QT_TRANSLATE_NOOP("ProblemWord", "invisible"),
+      QT_TRANSLATE_NOOP("ProblemWord", "go down"),
+      QT_TRANSLATE_NOOP("ProblemWord", "come up"),
+      QT_TRANSLATE_NOOP("ProblemWord", "lead in"),
+      QT_TRANSLATE_NOOP("ProblemWord", "lead out"),
+      QT_TRANSLATE_NOOP("ProblemWord", "the lead-in"),
+      QT_TRANSLATE_NOOP("ProblemWord", "the lead-out"),
+      QT_TRANSLATE_NOOP("ProblemWord", "the transition at corner {}"),
+      QT_TRANSLATE_NOOP("ProblemWord", "the roll round corner {}"),
+      QT_TRANSLATE_NOOP("ProblemWord", "the way along the contour"),
+      QT_TRANSLATE_NOOP("ProblemWord", "clearance"),
+      QT_TRANSLATE_NOOP("ProblemWord", "grinding"),
+  };
+  return kWords;
+}
+
 QString problemText(const base::Problem& problem, const QLocale& locale) {
   const auto row = static_cast<std::size_t>(problem.code);
-  const QString text = QCoreApplication::translate(kContext, problemTemplates().at(row));
+  const QString text = QCoreApplication::translate("Problem", problemTemplates().at(row));
   QString result;
   qsizetype done = 0;
   for (qsizetype open = text.indexOf('{'); open >= 0; open = text.indexOf('{', open + 1)) {
@@ -130,11 +207,11 @@ QString problemText(const base::Problem& problem, const QLocale& locale) {
 QString severityText(base::Severity severity) {
   switch (severity) {
   case base::Severity::Error:
-    return QCoreApplication::translate(kContext, "Error");
+    return QCoreApplication::translate("Problem", "Error");
   case base::Severity::Warning:
-    return QCoreApplication::translate(kContext, "Warning");
+    return QCoreApplication::translate("Problem", "Warning");
   case base::Severity::Note:
-    return QCoreApplication::translate(kContext, "Note");
+    return QCoreApplication::translate("Problem", "Note");
   }
   return {};
 }

@@ -18,4 +18,7 @@ namespace arris::ui {
 /// The English templates as the translators get them, in the order of the codes; equal to core's table.
 [[nodiscard]] const std::vector<const char*>& problemTemplates();
 
+/// The English words that core fills into the templates, as the translators get them; {} is a figure or a name.
+[[nodiscard]] const std::vector<const char*>& problemWords();
+
 } // namespace arris::ui

@@ -68,7 +68,7 @@ std::vector<CornerCard::Row> CornerCard::rowsOf(const job::Job& job, const toolp
          tr("%1 mm/s, %2").arg(number(corner.transitionSpeed, 2), limitedByText(corner.limitedBy))},
         {tr("Blending a, t<sub>m</sub>"),
          tr("%1 mm/s², %2 s").arg(number(corner.blendAcceleration, 4), number(corner.blendTime, 3))},
-        {tr("Widest, leg ℓ"), tr("%1 mm, %2 mm").arg(number(corner.widest, 3), number(corner.leg, 3))},
+        {tr("Widest, leg ℓ"), tr("%1, %2 mm").arg(number(corner.widest, 3), number(corner.leg, 3))},
         {tr("Relief"), (corner.relief ? tr("yes: lifts %1, needs %2 mm") : tr("no: lifts %1, needs %2 mm"))
                            .arg(number(corner.widest - job.recipe.wheelRadius, 3), number(corner.tipDepth, 3))},
     };
@@ -80,9 +80,8 @@ std::vector<CornerCard::Row> CornerCard::rowsOf(const job::Job& job, const toolp
     const job::CornerResult& result = job.cornerResults[index];
     rows.push_back(
         {tr("Planned"), tr("%1 mm/s, %2 s").arg(number(result.plannedSpeed, 2), number(result.plannedTime, 3))});
-    rows.push_back(
-        {tr("Slowing L<sub>d</sub>, L<sub>a</sub>"),
-         tr("%1 mm, %2 mm").arg(number(result.decelerationLength, 2), number(result.accelerationLength, 2))});
+    rows.push_back({tr("Slowing L<sub>d</sub>, L<sub>a</sub>"),
+                    tr("%1, %2 mm").arg(number(result.decelerationLength, 2), number(result.accelerationLength, 2))});
   }
   return rows;
 }

@@ -71,7 +71,7 @@ QString NumberEdit::complaintAbout(const QString& text, double& value) const {
   case NumberInput::Kind::Empty:
     return tr("%1: type a number %2.").arg(what, range);
   case NumberInput::Kind::NotANumber:
-    return tr("%1: “%2” is not a number; type one %3.").arg(what, text, range);
+    return tr("%1 is not a number; type one %2.").arg(what, range);
   case NumberInput::Kind::Ambiguous:
     return tr("%1: “%2” can mean %3 or %4; type it that way.")
         .arg(what, text, numberText(input.value, kDecimals, QLocale()),
@@ -80,7 +80,7 @@ QString NumberEdit::complaintAbout(const QString& text, double& value) const {
     break;
   }
   if (input.value < m_field.least || input.value > m_most) {
-    return tr("%1: %2 is out of range; it must be %3.").arg(what, text.trimmed(), range);
+    return tr("%1 is out of range; it must be %2.").arg(what, range);
   }
   value = input.value;
   return {};

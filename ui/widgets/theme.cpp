@@ -39,10 +39,12 @@ QLineEdit {
   min-height: 40px; padding: 0 8px; font-size: 18px;
   border: 2px solid #8a9298; border-radius: 4px; background: #ffffff;
 }
-QLineEdit[invalid="true"] { border: 2px solid #b3261e; background: #fdf3f2; }
 QPushButton:focus, QToolButton:focus, QLineEdit:focus, QAbstractItemView:focus, QGraphicsView:focus {
   border: 3px solid #1f2428;
 }
+QLineEdit:focus { min-height: 38px; padding: 0 7px; }
+QLineEdit QToolButton { min-height: 0; min-width: 0; padding: 0; border: none; background: none; }
+QLineEdit[invalid="true"] { border-color: #b3261e; background: #fdf3f2; }
 QTabBar::tab {
   min-height: 44px; min-width: 44px; padding: 0 14px;
   border: 1px solid #b4babe; border-bottom: none; background: #d6dadd;

@@ -1,9 +1,11 @@
 #include "tests/ui/support/artefacts.h"
+#include "tests/ui/support/locales.h"
 #include "tests/ui/support/steps.h"
 #include "ui/main_window.h"
 #include "ui/models/problem_model.h"
 #include "ui/pages/findings_panel.h"
 #include "ui/pages/recipe_panel.h"
+#include "ui/text/translators.h"
 #include "ui/views/drawing_view.h"
 #include "ui/widgets/number_edit.h"
 #include "ui/widgets/theme.h"
@@ -73,9 +75,33 @@ protected:
     settle();
   }
 
+  void expectEverythingShown();
+
   MainWindow m_window;
   QSignalSpy m_planned;
 };
+
+void Window::expectEverythingShown() {
+  for (const char* file : {"triangle.dxf", "many.dxf", "outside.dxf"}) {
+    open(file);
+    for (const char* views : {"showProfile", "showBoth", "showDrawing"}) {
+      find<QAbstractButton>(views)->click();
+      settle();
+      EXPECT_EQ(m_window.size(), kSmallest) << "the contents pushed the window larger with " << views;
+      test::expectNothingCutOff(m_window);
+    }
+    find<FindingsPanel>()->selectCorner(1);
+    settle();
+    test::expectNothingCutOff(m_window);
+  }
+  for (const char* wrong : {"999999", "3.600", "3,600", "?"}) {
+    for (const char* key : {"wheel_radius_mm", "accel_x_mm_s2"}) {
+      type(key, wrong);
+      EXPECT_EQ(m_window.size(), kSmallest) << "the complaint pushed the window larger about " << wrong;
+      test::expectNothingCutOff(m_window);
+    }
+  }
+}
 
 TEST_F(Window, SaysWhatToDoWhenNothingIsOpen) {
   EXPECT_EQ(text("state"), "No pattern is open.");
@@ -109,19 +135,22 @@ TEST_F(Window, TakesDecimalCommaAndPoint) {
 TEST_F(Window, NamesTheRangeOfAWrongValueAndKeepsTheLastGoodPlan) {
   open("triangle.dxf");
   type("wheel_radius_mm", "700");
-  EXPECT_TRUE(text("complaints").contains("Wheel radius: 700 is out of range; it must be from 0.5 to 500"))
-      << text("complaints").toStdString();
+  EXPECT_TRUE(text("complaint").contains("Wheel radius is out of range; it must be from 0.5 to 500"))
+      << text("complaint").toStdString();
   EXPECT_DOUBLE_EQ(job().recipe.wheelRadius, 70); // as far as the typing was valid
+  const auto* sign = field("wheel_radius_mm")->findChild<QAbstractButton*>();
+  EXPECT_TRUE(field("wheel_radius_mm")->rect().contains(sign->geometry()));
+  QTest::qWait(300); // the sign fades in
   test::keep("window-wrong-value", m_window);
   type("wheel_radius_mm", "80");
-  EXPECT_EQ(text("complaints"), "");
+  EXPECT_EQ(text("complaint"), "");
   EXPECT_DOUBLE_EQ(job().recipe.wheelRadius, 80);
 }
 
 TEST_F(Window, DoesNotAllowMoreAccelerationThanTheMachineHas) {
   open("triangle.dxf");
   type("accel_x_mm_s2", "501"); // the machine has 500
-  EXPECT_TRUE(text("complaints").contains("from 0.1 to 500")) << text("complaints").toStdString();
+  EXPECT_TRUE(text("complaint").contains("from 0.1 to 500")) << text("complaint").toStdString();
 }
 
 TEST_F(Window, ShowsTheRimSpeedBesideTheSpindleSpeed) {
@@ -265,18 +294,7 @@ TEST_F(Window, HasTargetsForFingers) {
 
 // Nothing is cut off on the smallest screen: every text has the room that it asks for.
 TEST_F(Window, ShowsEverythingOnTheSmallestScreen) {
-  for (const char* file : {"triangle.dxf", "many.dxf", "outside.dxf"}) {
-    open(file);
-    for (const char* views : {"showProfile", "showBoth", "showDrawing"}) {
-      find<QAbstractButton>(views)->click();
-      settle();
-      EXPECT_EQ(m_window.size(), kSmallest) << "the contents pushed the window larger with " << views;
-      test::expectNothingCutOff(m_window);
-    }
-    find<FindingsPanel>()->selectCorner(1);
-    settle();
-    test::expectNothingCutOff(m_window);
-  }
+  expectEverythingShown();
 }
 
 TEST_F(Window, LooksRightInEverySize) {
@@ -295,6 +313,66 @@ TEST_F(Window, LooksRightInEverySize) {
   open("many.dxf");
   test::keep("window-large-many", m_window);
 }
+
+/// Stands before the window that speaks it.
+class Language {
+public:
+  explicit Language(const QString& name) : m_translators(installTranslators({name})) {
+    QLocale::setDefault(QLocale(name));
+  }
+
+  ~Language() {
+    QLocale::setDefault(test::kEnglish);
+  }
+
+  Language(const Language&) = delete;
+  Language& operator=(const Language&) = delete;
+
+private:
+  std::vector<std::unique_ptr<QTranslator>> m_translators;
+};
+
+class TranslatedWindow : public testing::WithParamInterface<std::string>, public Language, public Window {
+protected:
+  TranslatedWindow() : Language(QString::fromStdString(GetParam())) {}
+
+  void keep(const char* name) {
+    test::keep("window-" + GetParam() + "-" + name, m_window);
+  }
+};
+
+TEST_P(TranslatedWindow, ShowsEverythingOnTheSmallestScreen) {
+  expectEverythingShown();
+  keep("wrong-value");
+}
+
+TEST_P(TranslatedWindow, LooksRight) {
+  keep("empty");
+  open("outside.dxf");
+  find<FindingsPanel>()->setCurrentIndex(1);
+  settle();
+  keep("problems");
+  open("triangle.dxf");
+  find<FindingsPanel>()->setCurrentIndex(2);
+  settle();
+  keep("times");
+  find<FindingsPanel>()->setCurrentIndex(0);
+  find<FindingsPanel>()->selectCorner(2);
+  settle();
+  keep("corner");
+  find<QAbstractButton>("showProfile")->click();
+  settle();
+  keep("profile");
+  find<QAbstractButton>("showBoth")->click();
+  m_window.resize(1920, 1080);
+  settle();
+  find<QAbstractButton>("fit")->click();
+  settle();
+  keep("large");
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, TranslatedWindow, testing::ValuesIn(test::languages()),
+                         [](const auto& tested) { return tested.param; });
 
 } // namespace
 } // namespace arris::ui

@@ -89,6 +89,21 @@ TEST(Planner, LetsTheLatestRequestWinAndDropsWhatWasOvertaken) {
   EXPECT_DOUBLE_EQ(lastPlan(planned)->job.recipe.feed, 3000);
 }
 
+// While "1800" is typed, a feed of 1 mm/min has a profile of a hundred million rows.
+TEST(Planner, LeavesTheLongProfileOfAValueThatWasOvertaken) {
+  Planner planner({}, test::paneSteps());
+  QSignalSpy planned(&planner, &Planner::planned);
+  recipe::Recipe recipe;
+  recipe.feed = 1;
+  planner.setRecipe(recipe);
+  planner.openPattern("triangle.dxf");
+  ASSERT_TRUE(planned.wait(test::kPatience));
+  recipe.feed = 1800;
+  planner.setRecipe(recipe);
+  ASSERT_TRUE(becomesIdle(planner));
+  EXPECT_DOUBLE_EQ(lastPlan(planned)->job.recipe.feed, 1800);
+}
+
 TEST(Planner, SaysWhyAFileCannotBeOpenedAndKeepsThePatternBefore) {
   Planner planner({}, test::paneSteps());
   QSignalSpy planned(&planner, &Planner::planned);

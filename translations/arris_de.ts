@@ -1,0 +1,1182 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE">
+<context>
+    <name>Corner</name>
+    <message>
+        <source>sharp</source>
+        <translation>spitz</translation>
+    </message>
+    <message>
+        <source>blunt</source>
+        <translation>stumpf</translation>
+    </message>
+    <message>
+        <source>concave</source>
+        <translation>einspringend</translation>
+    </message>
+    <message>
+        <source>transition</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Abrollen</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>exact stop</source>
+        <translation>Genauhalt</translation>
+    </message>
+    <message>
+        <source>Sharp: on a transition path the wheel lifts clear of the tip.</source>
+        <translation>Spitz: Die Schleifscheibe hebt im Übergang von der Spitze ab.</translation>
+    </message>
+    <message>
+        <source>Sharp, but the wheel cannot lift clear of the tip: it takes the transition path all the same.</source>
+        <translation>Spitz, aber die Schleifscheibe kann nicht ganz von der Spitze abheben; der Übergang wird trotzdem gefahren.</translation>
+    </message>
+    <message>
+        <source>Blunt, so not fragile: the wheel rolls round the corner.</source>
+        <translation>Stumpf, also nicht bruchgefährdet: Die Schleifscheibe rollt um die Ecke ab.</translation>
+    </message>
+    <message>
+        <source>from the angle</source>
+        <translation>aus dem Winkel</translation>
+    </message>
+    <message>
+        <source>limited by the X axis</source>
+        <translation>begrenzt durch die X-Achse</translation>
+    </message>
+    <message>
+        <source>limited by the Y axis</source>
+        <translation>begrenzt durch die Y-Achse</translation>
+    </message>
+    <message>
+        <source>scaled by the corner speed</source>
+        <translation>mit der Eckengeschwindigkeit skaliert</translation>
+    </message>
+</context>
+<context>
+    <name>Legend</name>
+    <message>
+        <source>Finished contour</source>
+        <translation>Fertigkontur</translation>
+    </message>
+    <message>
+        <source>Not in a contour</source>
+        <translation>In keiner Kontur</translation>
+    </message>
+    <message>
+        <source>Wheel path</source>
+        <translation>Schleifbahn</translation>
+    </message>
+    <message>
+        <source>Corner transition</source>
+        <translation>Eckenübergang</translation>
+    </message>
+    <message>
+        <source>Roll round a corner</source>
+        <translation>Abrollen um eine Ecke</translation>
+    </message>
+    <message>
+        <source>Lead-in, lead-out</source>
+        <translation>An- und Abfahrweg</translation>
+    </message>
+    <message>
+        <source>Rapid above the glass</source>
+        <translation>Eilgang über dem Glas</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Wheel down, up</source>
+        <translation>Schleifscheibe ab, auf</translation>
+    </message>
+    <message>
+        <source>Travel of the machine</source>
+        <translation>Verfahrbereich</translation>
+    </message>
+    <message>
+        <source>Slower between these</source>
+        <translation>Dazwischen langsamer</translation>
+    </message>
+</context>
+<context>
+    <name>Phase</name>
+    <message>
+        <source>Approach</source>
+        <translation>Positionieren</translation>
+    </message>
+    <message>
+        <source>Plunge</source>
+        <translation>Absenken</translation>
+    </message>
+    <message>
+        <source>Lead-in</source>
+        <translation>Anfahrweg</translation>
+    </message>
+    <message>
+        <source>Cruise</source>
+        <translation>Konstantfahrt</translation>
+    </message>
+    <message>
+        <source>Decelerate</source>
+        <translation>Abbremsen</translation>
+    </message>
+    <message>
+        <source>Transition</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Abrollen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Halt</translation>
+    </message>
+    <message>
+        <source>Accelerate</source>
+        <translation>Beschleunigen</translation>
+    </message>
+    <message>
+        <source>Lead-out</source>
+        <translation>Abfahrweg</translation>
+    </message>
+    <message>
+        <source>Retract</source>
+        <translation>Abheben</translation>
+    </message>
+    <message>
+        <source>Traverse</source>
+        <translation>Umsetzen</translation>
+    </message>
+</context>
+<context>
+    <name>PreviewPage</name>
+    <message>
+        <source>on the table</source>
+        <translation>auf dem Tisch</translation>
+    </message>
+    <message>
+        <source>of the drawing</source>
+        <translation>der Zeichnung</translation>
+    </message>
+    <message>
+        <source>X %1, mm</source>
+        <translation>X %1, mm</translation>
+    </message>
+    <message>
+        <source>Y %1, mm</source>
+        <translation>Y %1, mm</translation>
+    </message>
+    <message>
+        <source>Scale 1 : %1</source>
+        <translation>Maßstab 1 : %1</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… und %1 weitere</translation>
+    </message>
+    <message>
+        <source>No contour</source>
+        <translation>Keine Kontur</translation>
+    </message>
+    <message>
+        <source>Pane %1, lower left at X %2, Y %3</source>
+        <translation>Glasscheibe %1, links unten bei X %2, Y %3</translation>
+    </message>
+    <message>
+        <source>glass %1 mm</source>
+        <translation>Glasdicke %1 mm</translation>
+    </message>
+    <message>
+        <source>corners: %1</source>
+        <translation>Ecken: %1</translation>
+    </message>
+    <message>
+        <source>Wheel R %1 mm · depth %2 mm · feed %3 mm/min · acceleration X %4, Y %5 mm/s²</source>
+        <translation>Schleifscheibe R %1 mm · Tiefe %2 mm · Vorschub %3 mm/min · Beschleunigung X %4, Y %5 mm/s²</translation>
+    </message>
+    <message>
+        <source>Cannot be ground</source>
+        <translation>Nicht schleifbar</translation>
+    </message>
+    <message>
+        <source>Grinding %1 · whole program %2 · wheel path %3 mm</source>
+        <translation>Schleifen %1 · ganzes Programm %2 · Schleifbahn %3 mm</translation>
+    </message>
+    <message>
+        <source>Contours: %1</source>
+        <translation>Konturen: %1</translation>
+    </message>
+    <message>
+        <source>pieces in no contour: %1</source>
+        <translation>Stücke in keiner Kontur: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Problem</name>
+    <message>
+        <source>{file} cannot be opened: {reason}.</source>
+        <translation>{file} kann nicht geöffnet werden: {reason}.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be read: {reason}.</source>
+        <translation>{file} kann nicht gelesen werden: {reason}.</translation>
+    </message>
+    <message>
+        <source>{file} cannot be written: {reason}.</source>
+        <translation>{file} kann nicht geschrieben werden: {reason}.</translation>
+    </message>
+    <message>
+        <source>{file} is not valid JSON: {reason}.</source>
+        <translation>{file} ist kein gültiges JSON: {reason}.</translation>
+    </message>
+    <message>
+        <source>{file} has no &quot;{key}&quot;: it is not such a file.</source>
+        <translation>{file} hat kein „{key}“: Es ist keine solche Datei.</translation>
+    </message>
+    <message>
+        <source>{file} was written by a newer Arris (&quot;{key}&quot;: {version}); this one reads up to {known}.</source>
+        <translation>{file} wurde von einem neueren Arris geschrieben („{key}“: {version}); dieses liest bis {known}.</translation>
+    </message>
+    <message>
+        <source>{file} has a key &quot;{key}&quot; that Arris does not know; it is ignored.</source>
+        <translation>{file} hat einen Schlüssel „{key}“, den Arris nicht kennt; er wird nicht beachtet.</translation>
+    </message>
+    <message>
+        <source>{name} must be {expected}, not {value}.</source>
+        <translation>{name} muss {expected} sein, nicht {value}.</translation>
+    </message>
+    <message>
+        <source>{name} must be a number in {unit}, not &quot;{value}&quot;.</source>
+        <translation>{name} muss eine Zahl in {unit} sein, nicht „{value}“.</translation>
+    </message>
+    <message>
+        <source>{name} is {value} {unit}; it must be from {least} to {most} {unit}.</source>
+        <translation>{name} ist {value} {unit}; erlaubt sind {least} bis {most} {unit}.</translation>
+    </message>
+    <message>
+        <source>{name} is {value} {unit}; the machine allows {most} {unit} at most.</source>
+        <translation>{name} ist {value} {unit}; die Maschine erlaubt höchstens {most} {unit}.</translation>
+    </message>
+    <message>
+        <source>{name} is &quot;{value}&quot;; it must be one of: {choices}.</source>
+        <translation>{name} ist „{value}“; möglich sind: {choices}.</translation>
+    </message>
+    <message>
+        <source>{name} has no effect yet; leave it at {default}.</source>
+        <translation>{name} wirkt noch nicht; bitte bei {default} lassen.</translation>
+    </message>
+    <message>
+        <source>{file} is not a profile of Arris: {reason}.</source>
+        <translation>{file} ist kein Profil von Arris: {reason}.</translation>
+    </message>
+    <message>
+        <source>The pattern file is empty.</source>
+        <translation>Die Musterdatei ist leer.</translation>
+    </message>
+    <message>
+        <source>This is a binary DXF file, which is not read yet; save it as ASCII DXF.</source>
+        <translation>Das ist eine binäre DXF-Datei; sie kann noch nicht gelesen werden. Bitte als ASCII-DXF speichern.</translation>
+    </message>
+    <message>
+        <source>This is not a DXF file: {reason}.</source>
+        <translation>Das ist keine DXF-Datei: {reason}.</translation>
+    </message>
+    <message>
+        <source>The lines end in carriage returns alone; save the file with LF or CR LF.</source>
+        <translation>Die Zeilen enden nur mit Wagenrücklauf (CR); bitte die Datei mit LF oder CR LF speichern.</translation>
+    </message>
+    <message>
+        <source>A group code is expected here, not {found}.</source>
+        <translation>Hier muss ein Gruppencode stehen, nicht {found}.</translation>
+    </message>
+    <message>
+        <source>Group {group} must hold a finite number, not {found}.</source>
+        <translation>Gruppe {group} muss eine endliche Zahl enthalten, nicht {found}.</translation>
+    </message>
+    <message>
+        <source>Group {group} holds {found}, which is absurd for a pane of glass (more than {most}).</source>
+        <translation>Gruppe {group} enthält {found}; für eine Glasscheibe ist das unsinnig (mehr als {most}).</translation>
+    </message>
+    <message>
+        <source>The file ends early: {reason}. It was cut off.</source>
+        <translation>Die Datei endet zu früh: {reason}. Sie wurde abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>The sections of the file are broken: {reason}.</source>
+        <translation>Die Abschnitte der Datei sind fehlerhaft: {reason}.</translation>
+    </message>
+    <message>
+        <source>{entity} announces {announced} {what} but has {found}.</source>
+        <translation>{entity} kündigt {announced} {what} an, hat aber {found}.</translation>
+    </message>
+    <message>
+        <source>{entity} lacks group {group} ({what}).</source>
+        <translation>{entity}: Gruppe {group} fehlt ({what}).</translation>
+    </message>
+    <message>
+        <source>{entity} has {what} {value}, which cannot be.</source>
+        <translation>{entity} hat {what} {value}; das kann nicht sein.</translation>
+    </message>
+    <message>
+        <source>The file does not say its unit; millimetres are assumed.</source>
+        <translation>Die Datei nennt ihre Einheit nicht; Millimeter werden angenommen.</translation>
+    </message>
+    <message>
+        <source>The file gives its unit as number {number}, which is not mm, cm, m, inch or foot; say the unit with --units.</source>
+        <translation>Die Datei gibt ihre Einheit als Nummer {number} an; das ist weder mm, cm, m, Zoll noch Fuß. Die Einheit bitte mit --units angeben.</translation>
+    </message>
+    <message>
+        <source>{count} × {entity} not read yet; the contour would lack it.</source>
+        <translation>{count} × {entity} kann noch nicht gelesen werden; es würde der Kontur fehlen.</translation>
+    </message>
+    <message>
+        <source>{count} × {entity} not flat in a plane parallel to the XY plane.</source>
+        <translation>{count} × {entity} liegt nicht flach in einer Ebene parallel zur XY-Ebene.</translation>
+    </message>
+    <message>
+        <source>{count} × {entity} passed over: {reason}.</source>
+        <translation>{count} × {entity} übergangen: {reason}.</translation>
+    </message>
+    <message>
+        <source>{count} more of {code} are not listed.</source>
+        <translation>{count} weitere von {code} sind nicht aufgeführt.</translation>
+    </message>
+    <message>
+        <source>A doubled piece of {size_mm} mm was removed.</source>
+        <translation>Ein doppeltes Stück von {size_mm} mm wurde entfernt.</translation>
+    </message>
+    <message>
+        <source>A piece without length ({size_mm} mm) was removed.</source>
+        <translation>Ein Stück ohne Länge ({size_mm} mm) wurde entfernt.</translation>
+    </message>
+    <message>
+        <source>A gap of {size_mm} mm was closed.</source>
+        <translation>Eine Lücke von {size_mm} mm wurde geschlossen.</translation>
+    </message>
+    <message>
+        <source>The contour is open here: the next free end is {gap_mm} mm away (up to {tolerance_mm} mm are joined).</source>
+        <translation>Die Kontur ist hier offen: Das nächste freie Ende ist {gap_mm} mm entfernt (bis {tolerance_mm} mm wird verbunden).</translation>
+    </message>
+    <message>
+        <source>{count} pieces meet here; a contour cannot branch.</source>
+        <translation>Hier treffen sich {count} Stücke; eine Kontur darf sich nicht verzweigen.</translation>
+    </message>
+    <message>
+        <source>The drawing has no closed contour.</source>
+        <translation>Die Zeichnung hat keine geschlossene Kontur.</translation>
+    </message>
+    <message>
+        <source>The drawing has {count} contours; only a single outline can be ground yet.</source>
+        <translation>Die Zeichnung hat {count} Konturen; bisher kann nur ein einzelner Umriss geschliffen werden.</translation>
+    </message>
+    <message>
+        <source>The contour encloses no area.</source>
+        <translation>Die Kontur umschließt keine Fläche.</translation>
+    </message>
+    <message>
+        <source>The contour crosses or touches itself here.</source>
+        <translation>Die Kontur kreuzt oder berührt sich hier selbst.</translation>
+    </message>
+    <message>
+        <source>The contour has a concave corner of {angle_deg}° here; such corners cannot be ground yet.</source>
+        <translation>Die Kontur hat hier eine einspringende Ecke von {angle_deg}°; solche Ecken können noch nicht geschliffen werden.</translation>
+    </message>
+    <message>
+        <source>The contour turns back on itself here, in a tip of {angle_deg}°; that is a mistake of the drawing.</source>
+        <translation>Die Kontur kehrt hier in einer Spitze von {angle_deg}° um; das ist ein Fehler der Zeichnung.</translation>
+    </message>
+    <message>
+        <source>The wheel of {wheel_mm} mm radius does not fit into the hollow of {radius_mm} mm radius here.</source>
+        <translation>Die Schleifscheibe mit {wheel_mm} mm Radius passt hier nicht in die Höhlung mit {radius_mm} mm Radius.</translation>
+    </message>
+    <message>
+        <source>The wheel would touch another part of the glass here: {distance_mm} mm from the wheel&apos;s centre.</source>
+        <translation>Die Schleifscheibe würde hier eine andere Stelle des Glases berühren: {distance_mm} mm von ihrer Mitte.</translation>
+    </message>
+    <message>
+        <source>Corner {corner}: the wheel lifts by {lift_mm} mm, less than the {depth_mm} mm of glass at the tip.</source>
+        <translation>Ecke {corner}: Die Schleifscheibe hebt sich um {lift_mm} mm ab, weniger als die {depth_mm} mm Glas an der Spitze.</translation>
+    </message>
+    <message>
+        <source>Corner {corner} takes {time_s} s.</source>
+        <translation>Ecke {corner} dauert {time_s} s.</translation>
+    </message>
+    <message>
+        <source>The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the glass and has {distance_mm} mm.</source>
+        <translation>Die Schleifscheibe kann hier nicht {what}: Zwischen ihrer Mitte und dem Glas sind {needed_mm} mm nötig und {distance_mm} mm vorhanden.</translation>
+    </message>
+    <message>
+        <source>The overlap is {used_mm} mm, a quarter of the contour, instead of {wanted_mm} mm.</source>
+        <translation>Die Überlappung beträgt {used_mm} mm, ein Viertel der Kontur, statt {wanted_mm} mm.</translation>
+    </message>
+    <message>
+        <source>The wheel path leaves the travel of the machine by {excess_mm} mm: {what}.</source>
+        <translation>Die Schleifbahn verlässt den Verfahrbereich der Maschine um {excess_mm} mm: {what}.</translation>
+    </message>
+    <message>
+        <source>The wheel&apos;s lower face would be {height_mm} mm above the table while grinding; it must stay {least_mm} mm above.</source>
+        <translation>Die Unterseite der Schleifscheibe wäre beim Schleifen {height_mm} mm über dem Tisch; es müssen mindestens {least_mm} mm sein.</translation>
+    </message>
+    <message>
+        <source>The {what} height of {height_mm} mm is outside the travel of 0 to {most_mm} mm.</source>
+        <translation>Die {what} von {height_mm} mm liegt außerhalb des Verfahrbereichs von 0 bis {most_mm} mm.</translation>
+    </message>
+    <message>
+        <source>The grinding height of {height_mm} mm is above the clearance height of {clearance_mm} mm.</source>
+        <translation>Die Schleifhöhe von {height_mm} mm liegt über der Sicherheitshöhe von {clearance_mm} mm.</translation>
+    </message>
+    <message>
+        <source>The machine&apos;s greatest speed of the {axis} axis is below the feed; it limits the speed on the contour.</source>
+        <translation>Die Höchstgeschwindigkeit der {axis}-Achse ist kleiner als der Vorschub; sie begrenzt die Geschwindigkeit auf der Kontur.</translation>
+    </message>
+    <message>
+        <source>Internal error: {reason}.</source>
+        <translation>Interner Fehler: {reason}.</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+</context>
+<context>
+    <name>ProblemWord</name>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Zugriff verweigert</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>Das ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>it holds NUL bytes</source>
+        <translation>Sie enthält NUL-Bytes</translation>
+    </message>
+    <message>
+        <source>it is a DWG drawing; save it as ASCII DXF</source>
+        <translation>Es ist eine DWG-Zeichnung; bitte als ASCII-DXF speichern</translation>
+    </message>
+    <message>
+        <source>it is UTF-16 text; save it as ASCII DXF</source>
+        <translation>Es ist UTF-16-Text; bitte als ASCII-DXF speichern</translation>
+    </message>
+    <message>
+        <source>it begins with {} and not with a group code</source>
+        <translation>Sie beginnt mit {} und nicht mit einem Gruppencode</translation>
+    </message>
+    <message>
+        <source>an empty line</source>
+        <translation>eine leere Zeile</translation>
+    </message>
+    <message>
+        <source>the last group code has no value</source>
+        <translation>Der letzte Gruppencode hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>there is no EOF</source>
+        <translation>EOF fehlt</translation>
+    </message>
+    <message>
+        <source>there is no EOF; the last POLYLINE has no SEQEND</source>
+        <translation>EOF fehlt; die letzte POLYLINE hat kein SEQEND</translation>
+    </message>
+    <message>
+        <source>there is no EOF, and section {} has no ENDSEC</source>
+        <translation>EOF fehlt, und Abschnitt {} hat kein ENDSEC</translation>
+    </message>
+    <message>
+        <source>section {} has no ENDSEC before the next SECTION</source>
+        <translation>Abschnitt {} hat kein ENDSEC vor der nächsten SECTION</translation>
+    </message>
+    <message>
+        <source>section {} has no ENDSEC before EOF</source>
+        <translation>Abschnitt {} hat kein ENDSEC vor EOF</translation>
+    </message>
+    <message>
+        <source>ENDSEC without a SECTION</source>
+        <translation>ENDSEC ohne SECTION</translation>
+    </message>
+    <message>
+        <source>the section has no name</source>
+        <translation>Der Abschnitt hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>the POLYLINE of line {} has no SEQEND</source>
+        <translation>Die POLYLINE von Zeile {} hat kein SEQEND</translation>
+    </message>
+    <message>
+        <source>the POLYLINE of line {} has no SEQEND before {}</source>
+        <translation>Die POLYLINE von Zeile {} hat kein SEQEND vor {}</translation>
+    </message>
+    <message>
+        <source>{} without a POLYLINE before it</source>
+        <translation>{} ohne POLYLINE davor</translation>
+    </message>
+    <message>
+        <source>group {} belongs to no entity</source>
+        <translation>Gruppe {} gehört zu keinem Element</translation>
+    </message>
+    <message>
+        <source>group {} stands outside of any section</source>
+        <translation>Gruppe {} steht außerhalb der Abschnitte</translation>
+    </message>
+    <message>
+        <source>{} stands outside of any section</source>
+        <translation>{} steht außerhalb der Abschnitte</translation>
+    </message>
+    <message>
+        <source>group {}</source>
+        <translation>die Gruppe {}</translation>
+    </message>
+    <message>
+        <source>twice</source>
+        <translation>doppelt</translation>
+    </message>
+    <message>
+        <source>X of its start</source>
+        <translation>X des Anfangs</translation>
+    </message>
+    <message>
+        <source>Y of its start</source>
+        <translation>Y des Anfangs</translation>
+    </message>
+    <message>
+        <source>X of its end</source>
+        <translation>X des Endes</translation>
+    </message>
+    <message>
+        <source>Y of its end</source>
+        <translation>Y des Endes</translation>
+    </message>
+    <message>
+        <source>X of its centre</source>
+        <translation>X des Mittelpunkts</translation>
+    </message>
+    <message>
+        <source>Y of its centre</source>
+        <translation>Y des Mittelpunkts</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>start angle</source>
+        <translation>Startwinkel</translation>
+    </message>
+    <message>
+        <source>end angle</source>
+        <translation>Endwinkel</translation>
+    </message>
+    <message>
+        <source>the radius</source>
+        <translation>den Radius</translation>
+    </message>
+    <message>
+        <source>a bulge of</source>
+        <translation>eine Wölbung (bulge) von</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>Scheitelpunkte</translation>
+    </message>
+    <message>
+        <source>on layer {}, which is never plotted</source>
+        <translation>auf Layer {}, der nie geplottet wird</translation>
+    </message>
+    <message>
+        <source>layer {} is frozen</source>
+        <translation>Layer {} ist gefroren</translation>
+    </message>
+    <message>
+        <source>layer {} is off</source>
+        <translation>Layer {} ist ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>in paper space</source>
+        <translation>im Papierbereich</translation>
+    </message>
+    <message>
+        <source>no part of a contour</source>
+        <translation>kein Teil einer Kontur</translation>
+    </message>
+    <message>
+        <source>invisible</source>
+        <translation>unsichtbar</translation>
+    </message>
+    <message>
+        <source>go down</source>
+        <translation>abgesenkt werden</translation>
+    </message>
+    <message>
+        <source>come up</source>
+        <translation>angehoben werden</translation>
+    </message>
+    <message>
+        <source>lead in</source>
+        <translation>anfahren</translation>
+    </message>
+    <message>
+        <source>lead out</source>
+        <translation>abfahren</translation>
+    </message>
+    <message>
+        <source>the lead-in</source>
+        <translation>Anfahrweg</translation>
+    </message>
+    <message>
+        <source>the lead-out</source>
+        <translation>Abfahrweg</translation>
+    </message>
+    <message>
+        <source>the transition at corner {}</source>
+        <translation>Übergang an Ecke {}</translation>
+    </message>
+    <message>
+        <source>the roll round corner {}</source>
+        <translation>Abrollen um Ecke {}</translation>
+    </message>
+    <message>
+        <source>the way along the contour</source>
+        <translation>Weg entlang der Kontur</translation>
+    </message>
+    <message>
+        <source>clearance</source>
+        <translation>Sicherheitshöhe</translation>
+    </message>
+    <message>
+        <source>grinding</source>
+        <translation>Schleifhöhe</translation>
+    </message>
+</context>
+<context>
+    <name>ProfilePage</name>
+    <message>
+        <source>Corner with its angle: from A to C</source>
+        <translation>Ecke mit ihrem Winkel: von A bis C</translation>
+    </message>
+    <message>
+        <source>Braking before, accelerating after</source>
+        <translation>Davor bremsen, danach beschleunigen</translation>
+    </message>
+    <message>
+        <source>Limit, feed, wheel radius R</source>
+        <translation>Grenze, Vorschub, Schleifscheibenradius R</translation>
+    </message>
+    <message>
+        <source>R + depth at the tip</source>
+        <translation>R + Tiefe an der Spitze</translation>
+    </message>
+    <message>
+        <source>Work %1 of %2 · wheel R %3 mm · feed %4 mm/min · acceleration X %5, Y %6 mm/s²</source>
+        <translation>Arbeit %1 von %2 · Schleifscheibe R %3 mm · Vorschub %4 mm/min · Beschleunigung X %5, Y %6 mm/s²</translation>
+    </message>
+</context>
+<context>
+    <name>Quantities</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+</context>
+<context>
+    <name>Recipe</name>
+    <message>
+        <source>Wheel radius</source>
+        <translation>Schleifscheibenradius</translation>
+    </message>
+    <message>
+        <source>Thickness of the wheel</source>
+        <translation>Dicke der Schleifscheibe</translation>
+    </message>
+    <message>
+        <source>Fine adjustment of the grinding height</source>
+        <translation>Feineinstellung der Schleifhöhe</translation>
+    </message>
+    <message>
+        <source>Normal grinding depth</source>
+        <translation>Schleiftiefe</translation>
+    </message>
+    <message>
+        <source>Thickness of the glass</source>
+        <translation>Glasdicke</translation>
+    </message>
+    <message>
+        <source>Underside of the glass above the table</source>
+        <translation>Glasunterseite über dem Tisch</translation>
+    </message>
+    <message>
+        <source>Wheel&apos;s lower face above the glass when traversing</source>
+        <translation>Unterseite der Schleifscheibe über dem Glas beim Umsetzen</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Acceleration of the X axis</source>
+        <translation>Beschleunigung der X-Achse</translation>
+    </message>
+    <message>
+        <source>Acceleration of the Y axis</source>
+        <translation>Beschleunigung der Y-Achse</translation>
+    </message>
+    <message>
+        <source>Acceleration of the Z axis</source>
+        <translation>Beschleunigung der Z-Achse</translation>
+    </message>
+    <message>
+        <source>Spindle speed</source>
+        <translation>Spindeldrehzahl</translation>
+    </message>
+    <message>
+        <source>Transition speed at sharp corners</source>
+        <translation>Übergangsgeschwindigkeit an spitzen Ecken</translation>
+    </message>
+    <message>
+        <source>Size correction (positive leaves the pane larger)</source>
+        <translation>Maßkorrektur (positiv lässt die Glasscheibe größer)</translation>
+    </message>
+    <message>
+        <source>Radius of the lead-in and lead-out</source>
+        <translation>Radius von An- und Abfahrweg</translation>
+    </message>
+    <message>
+        <source>Overlap past the start</source>
+        <translation>Überlappung über den Start hinaus</translation>
+    </message>
+    <message>
+        <source>Rotation of the pattern</source>
+        <translation>Drehung des Musters</translation>
+    </message>
+    <message>
+        <source>Gaps up to this are closed</source>
+        <translation>Lücken bis zu dieser Größe werden geschlossen</translation>
+    </message>
+    <message>
+        <source>Tolerance of fitting chopped curves</source>
+        <translation>Toleranz beim Glätten zerhackter Kurven</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::CornerCard</name>
+    <message>
+        <source>Tap a corner to see its figures.</source>
+        <translation>Eine Ecke antippen, um ihre Werte zu sehen.</translation>
+    </message>
+    <message>
+        <source>No corners.</source>
+        <translation>Keine Ecken.</translation>
+    </message>
+    <message>
+        <source>Corner %1: %2, %3</source>
+        <translation>Ecke %1: %2, %3</translation>
+    </message>
+    <message>
+        <source>Speed v&lt;sub&gt;trans&lt;/sub&gt;</source>
+        <translation>Geschw. v&lt;sub&gt;trans&lt;/sub&gt;</translation>
+    </message>
+    <message>
+        <source>%1 mm/s, %2</source>
+        <translation>%1 mm/s, %2</translation>
+    </message>
+    <message>
+        <source>Blending a, t&lt;sub&gt;m&lt;/sub&gt;</source>
+        <translation>Übergang a, t&lt;sub&gt;m&lt;/sub&gt;</translation>
+    </message>
+    <message>
+        <source>%1 mm/s², %2 s</source>
+        <translation>%1 mm/s², %2 s</translation>
+    </message>
+    <message>
+        <source>Widest, leg ℓ</source>
+        <translation>Abstand, ℓ</translation>
+    </message>
+    <message>
+        <source>Relief</source>
+        <translation>Freigang</translation>
+    </message>
+    <message>
+        <source>yes: lifts %1, needs %2 mm</source>
+        <translation>ja: hebt %1, nötig %2 mm</translation>
+    </message>
+    <message>
+        <source>no: lifts %1, needs %2 mm</source>
+        <translation>nein: hebt %1, nötig %2 mm</translation>
+    </message>
+    <message>
+        <source>Radius of the roll</source>
+        <translation>Abrollradius</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>Geplant</translation>
+    </message>
+    <message>
+        <source>%1 mm/s, %2 s</source>
+        <translation>%1 mm/s, %2 s</translation>
+    </message>
+    <message>
+        <source>Slowing L&lt;sub&gt;d&lt;/sub&gt;, L&lt;sub&gt;a&lt;/sub&gt;</source>
+        <translation>Rampen L&lt;sub&gt;d&lt;/sub&gt;, L&lt;sub&gt;a&lt;/sub&gt;</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm</source>
+        <translation>%1, %2 mm</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::CornerModel</name>
+    <message>
+        <source>#</source>
+        <translation>#</translation>
+    </message>
+    <message>
+        <source>Angle
+β</source>
+        <translation>Winkel
+β</translation>
+    </message>
+    <message>
+        <source>Treatment</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Speed
+mm/s</source>
+        <translation>v
+mm/s</translation>
+    </message>
+    <message>
+        <source>Accel.
+mm/s²</source>
+        <translation>a
+mm/s²</translation>
+    </message>
+    <message>
+        <source>Time
+s</source>
+        <translation>Zeit
+s</translation>
+    </message>
+    <message>
+        <source>Widest
+mm</source>
+        <translation>Abst.
+mm</translation>
+    </message>
+    <message>
+        <source>Relief
+mm</source>
+        <translation>Freigang
+mm</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::DrawingView</name>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnung</translation>
+    </message>
+    <message>
+        <source>Open a pattern (DXF), or drop one here.</source>
+        <translation>Ein Muster (DXF) öffnen oder hierher ziehen.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::FindingsPanel</name>
+    <message>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Zeiten</translation>
+    </message>
+    <message>
+        <source>Problems (%1)</source>
+        <translation>Probleme (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::JobPage</name>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnung</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Beide</translation>
+    </message>
+    <message>
+        <source>Planning</source>
+        <translation>Planung läuft</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Fit into the view</source>
+        <translation>In die Ansicht einpassen</translation>
+    </message>
+    <message>
+        <source>Reading and planning…</source>
+        <translation>Wird gelesen und geplant…</translation>
+    </message>
+    <message>
+        <source>No pattern is open.</source>
+        <translation>Kein Muster geöffnet.</translation>
+    </message>
+    <message>
+        <source>Grinding: %1
+Whole program: %2</source>
+        <translation>Schleifen: %1
+Programm: %2</translation>
+    </message>
+    <message>
+        <source>Cannot be ground: see the problems.</source>
+        <translation>Nicht schleifbar: siehe Probleme.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::MainWindow</name>
+    <message>
+        <source>%1 – Arris</source>
+        <translation>%1 – Arris</translation>
+    </message>
+    <message>
+        <source>Open pattern</source>
+        <translation>Muster öffnen</translation>
+    </message>
+    <message>
+        <source>Drawings (*.dxf *.DXF);;All files (*)</source>
+        <translation>Zeichnungen (*.dxf *.DXF);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::NumberEdit</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1: type a number %2.</source>
+        <translation>%1: Bitte eine Zahl %2 eingeben.</translation>
+    </message>
+    <message>
+        <source>%1: “%2” can mean %3 or %4; type it that way.</source>
+        <translation>%1: „%2“ kann %3 oder %4 heißen; bitte so eingeben.</translation>
+    </message>
+    <message>
+        <source>%1 is not a number; type one %2.</source>
+        <translation>%1: Das ist keine Zahl; bitte eine %2 eingeben.</translation>
+    </message>
+    <message>
+        <source>%1 is out of range; it must be %2.</source>
+        <translation>%1: Bitte einen Wert %2 eingeben.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::ProblemModel</name>
+    <message>
+        <source>(line %1 of the file)</source>
+        <translation>(Zeile %1 der Datei)</translation>
+    </message>
+    <message>
+        <source>(at X %1, Y %2 mm)</source>
+        <translation>(bei X %1, Y %2 mm)</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <translation>%1: %2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::ProfilePlot</name>
+    <message>
+        <source>time, s</source>
+        <translation>Zeit, s</translation>
+    </message>
+    <message>
+        <source>X velocity
+mm/s</source>
+        <translation>X-Geschw.
+mm/s</translation>
+    </message>
+    <message>
+        <source>v X
+mm/s</source>
+        <translation>v X
+mm/s</translation>
+    </message>
+    <message>
+        <source>Y velocity
+mm/s</source>
+        <translation>Y-Geschw.
+mm/s</translation>
+    </message>
+    <message>
+        <source>v Y
+mm/s</source>
+        <translation>v Y
+mm/s</translation>
+    </message>
+    <message>
+        <source>X acceleration
+mm/s²</source>
+        <translation>X-Beschl.
+mm/s²</translation>
+    </message>
+    <message>
+        <source>a X
+mm/s²</source>
+        <translation>a X
+mm/s²</translation>
+    </message>
+    <message>
+        <source>Y acceleration
+mm/s²</source>
+        <translation>Y-Beschl.
+mm/s²</translation>
+    </message>
+    <message>
+        <source>a Y
+mm/s²</source>
+        <translation>a Y
+mm/s²</translation>
+    </message>
+    <message>
+        <source>Path speed
+mm/s</source>
+        <translation>Bahngeschw.
+mm/s</translation>
+    </message>
+    <message>
+        <source>v
+mm/s</source>
+        <translation>v
+mm/s</translation>
+    </message>
+    <message>
+        <source>Wheel to corner
+mm</source>
+        <translation>Abstand zur Ecke
+mm</translation>
+    </message>
+    <message>
+        <source>L
+mm</source>
+        <translation>L
+mm</translation>
+    </message>
+    <message>
+        <source>limit %1</source>
+        <translation>Grenze %1</translation>
+    </message>
+    <message>
+        <source>feed %1</source>
+        <translation>Vorschub %1</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::RecipePanel</name>
+    <message>
+        <source>&amp;Open pattern…</source>
+        <translation>Muster &amp;öffnen…</translation>
+    </message>
+    <message>
+        <source>No pattern yet</source>
+        <translation>Noch kein Muster</translation>
+    </message>
+    <message>
+        <source>Rim speed: %1 m/s</source>
+        <translation>Umfangsgeschw.: %1 m/s</translation>
+    </message>
+    <message>
+        <source>The drawing still shows the last valid values.</source>
+        <translation>Die Zeichnung zeigt noch die letzten gültigen Werte.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::TimeModel</name>
+    <message>
+        <source>Grinding, lead-in to lead-out</source>
+        <translation>Schleifen, mit An- und Abfahrweg</translation>
+    </message>
+    <message>
+        <source>Whole program</source>
+        <translation>Ganzes Programm</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+</context>
+</TS>

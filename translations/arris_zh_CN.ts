@@ -1,0 +1,1182 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN">
+<context>
+    <name>Corner</name>
+    <message>
+        <source>sharp</source>
+        <translation>尖角</translation>
+    </message>
+    <message>
+        <source>blunt</source>
+        <translation>钝角</translation>
+    </message>
+    <message>
+        <source>concave</source>
+        <translation>凹角</translation>
+    </message>
+    <message>
+        <source>transition</source>
+        <translation>过渡</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>绕角</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>圆弧</translation>
+    </message>
+    <message>
+        <source>exact stop</source>
+        <translation>准停</translation>
+    </message>
+    <message>
+        <source>Sharp: on a transition path the wheel lifts clear of the tip.</source>
+        <translation>尖角：磨轮沿过渡路径离开尖端。</translation>
+    </message>
+    <message>
+        <source>Sharp, but the wheel cannot lift clear of the tip: it takes the transition path all the same.</source>
+        <translation>尖角，但磨轮无法完全离开尖端；仍沿过渡路径运行。</translation>
+    </message>
+    <message>
+        <source>Blunt, so not fragile: the wheel rolls round the corner.</source>
+        <translation>钝角，不易崩边：磨轮绕角滚过。</translation>
+    </message>
+    <message>
+        <source>from the angle</source>
+        <translation>由角度决定</translation>
+    </message>
+    <message>
+        <source>limited by the X axis</source>
+        <translation>受 X 轴限制</translation>
+    </message>
+    <message>
+        <source>limited by the Y axis</source>
+        <translation>受 Y 轴限制</translation>
+    </message>
+    <message>
+        <source>scaled by the corner speed</source>
+        <translation>按转角速度缩放</translation>
+    </message>
+</context>
+<context>
+    <name>Legend</name>
+    <message>
+        <source>Finished contour</source>
+        <translation>成品轮廓</translation>
+    </message>
+    <message>
+        <source>Not in a contour</source>
+        <translation>不属于轮廓</translation>
+    </message>
+    <message>
+        <source>Wheel path</source>
+        <translation>磨轮路径</translation>
+    </message>
+    <message>
+        <source>Corner transition</source>
+        <translation>转角过渡</translation>
+    </message>
+    <message>
+        <source>Roll round a corner</source>
+        <translation>绕角滚动</translation>
+    </message>
+    <message>
+        <source>Lead-in, lead-out</source>
+        <translation>切入、切出</translation>
+    </message>
+    <message>
+        <source>Rapid above the glass</source>
+        <translation>玻璃上方快移</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>Wheel down, up</source>
+        <translation>磨轮下降、抬起</translation>
+    </message>
+    <message>
+        <source>Travel of the machine</source>
+        <translation>机床行程</translation>
+    </message>
+    <message>
+        <source>Slower between these</source>
+        <translation>此间减速</translation>
+    </message>
+</context>
+<context>
+    <name>Phase</name>
+    <message>
+        <source>Approach</source>
+        <translation>趋近</translation>
+    </message>
+    <message>
+        <source>Plunge</source>
+        <translation>下降</translation>
+    </message>
+    <message>
+        <source>Lead-in</source>
+        <translation>切入</translation>
+    </message>
+    <message>
+        <source>Cruise</source>
+        <translation>匀速</translation>
+    </message>
+    <message>
+        <source>Decelerate</source>
+        <translation>减速</translation>
+    </message>
+    <message>
+        <source>Transition</source>
+        <translation>过渡</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>绕角</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Accelerate</source>
+        <translation>加速</translation>
+    </message>
+    <message>
+        <source>Lead-out</source>
+        <translation>切出</translation>
+    </message>
+    <message>
+        <source>Retract</source>
+        <translation>抬起</translation>
+    </message>
+    <message>
+        <source>Traverse</source>
+        <translation>空移</translation>
+    </message>
+</context>
+<context>
+    <name>PreviewPage</name>
+    <message>
+        <source>on the table</source>
+        <translation>（工作台坐标）</translation>
+    </message>
+    <message>
+        <source>of the drawing</source>
+        <translation>（图纸坐标）</translation>
+    </message>
+    <message>
+        <source>X %1, mm</source>
+        <translation>X%1，mm</translation>
+    </message>
+    <message>
+        <source>Y %1, mm</source>
+        <translation>Y%1，mm</translation>
+    </message>
+    <message>
+        <source>Scale 1 : %1</source>
+        <translation>比例 1 : %1</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… 另有 %1 条</translation>
+    </message>
+    <message>
+        <source>No contour</source>
+        <translation>无轮廓</translation>
+    </message>
+    <message>
+        <source>Pane %1, lower left at X %2, Y %3</source>
+        <translation>玻璃 %1，左下角 X %2，Y %3</translation>
+    </message>
+    <message>
+        <source>glass %1 mm</source>
+        <translation>厚 %1 mm</translation>
+    </message>
+    <message>
+        <source>corners: %1</source>
+        <translation>转角：%1</translation>
+    </message>
+    <message>
+        <source>Wheel R %1 mm · depth %2 mm · feed %3 mm/min · acceleration X %4, Y %5 mm/s²</source>
+        <translation>磨轮 R %1 mm · 深度 %2 mm · 进给 %3 mm/min · 加速度 X %4，Y %5 mm/s²</translation>
+    </message>
+    <message>
+        <source>Cannot be ground</source>
+        <translation>无法磨削</translation>
+    </message>
+    <message>
+        <source>Grinding %1 · whole program %2 · wheel path %3 mm</source>
+        <translation>磨削 %1 · 整个程序 %2 · 磨轮路径 %3 mm</translation>
+    </message>
+    <message>
+        <source>Contours: %1</source>
+        <translation>轮廓：%1</translation>
+    </message>
+    <message>
+        <source>pieces in no contour: %1</source>
+        <translation>不属于轮廓的线段：%1</translation>
+    </message>
+</context>
+<context>
+    <name>Problem</name>
+    <message>
+        <source>{file} cannot be opened: {reason}.</source>
+        <translation>无法打开 {file}：{reason}。</translation>
+    </message>
+    <message>
+        <source>{file} cannot be read: {reason}.</source>
+        <translation>无法读取 {file}：{reason}。</translation>
+    </message>
+    <message>
+        <source>{file} cannot be written: {reason}.</source>
+        <translation>无法写入 {file}：{reason}。</translation>
+    </message>
+    <message>
+        <source>{file} is not valid JSON: {reason}.</source>
+        <translation>{file} 不是有效的 JSON：{reason}。</translation>
+    </message>
+    <message>
+        <source>{file} has no &quot;{key}&quot;: it is not such a file.</source>
+        <translation>{file} 没有“{key}”：不是此类文件。</translation>
+    </message>
+    <message>
+        <source>{file} was written by a newer Arris (&quot;{key}&quot;: {version}); this one reads up to {known}.</source>
+        <translation>{file} 由更新版本的 Arris 写入（“{key}”：{version}）；本版本最高可读 {known}。</translation>
+    </message>
+    <message>
+        <source>{file} has a key &quot;{key}&quot; that Arris does not know; it is ignored.</source>
+        <translation>{file} 含有 Arris 不认识的键“{key}”，已忽略。</translation>
+    </message>
+    <message>
+        <source>{name} must be {expected}, not {value}.</source>
+        <translation>{name} 必须是 {expected}，而不是 {value}。</translation>
+    </message>
+    <message>
+        <source>{name} must be a number in {unit}, not &quot;{value}&quot;.</source>
+        <translation>{name} 必须是以 {unit} 为单位的数，而不是“{value}”。</translation>
+    </message>
+    <message>
+        <source>{name} is {value} {unit}; it must be from {least} to {most} {unit}.</source>
+        <translation>{name} 为 {value} {unit}；必须在 {least} 至 {most} {unit} 之间。</translation>
+    </message>
+    <message>
+        <source>{name} is {value} {unit}; the machine allows {most} {unit} at most.</source>
+        <translation>{name} 为 {value} {unit}；机床最多允许 {most} {unit}。</translation>
+    </message>
+    <message>
+        <source>{name} is &quot;{value}&quot;; it must be one of: {choices}.</source>
+        <translation>{name} 为“{value}”；只能是：{choices}。</translation>
+    </message>
+    <message>
+        <source>{name} has no effect yet; leave it at {default}.</source>
+        <translation>{name} 尚不起作用；请保持为 {default}。</translation>
+    </message>
+    <message>
+        <source>{file} is not a profile of Arris: {reason}.</source>
+        <translation>{file} 不是 Arris 的速度曲线文件：{reason}。</translation>
+    </message>
+    <message>
+        <source>The pattern file is empty.</source>
+        <translation>图样文件为空。</translation>
+    </message>
+    <message>
+        <source>This is a binary DXF file, which is not read yet; save it as ASCII DXF.</source>
+        <translation>这是二进制 DXF 文件，尚不支持读取；请另存为 ASCII DXF。</translation>
+    </message>
+    <message>
+        <source>This is not a DXF file: {reason}.</source>
+        <translation>这不是 DXF 文件：{reason}。</translation>
+    </message>
+    <message>
+        <source>The lines end in carriage returns alone; save the file with LF or CR LF.</source>
+        <translation>文件的行尾只有回车符（CR）；请以 LF 或 CR LF 保存。</translation>
+    </message>
+    <message>
+        <source>A group code is expected here, not {found}.</source>
+        <translation>此处应为组码，而不是 {found}。</translation>
+    </message>
+    <message>
+        <source>Group {group} must hold a finite number, not {found}.</source>
+        <translation>组 {group} 必须是有限的数，而不是 {found}。</translation>
+    </message>
+    <message>
+        <source>Group {group} holds {found}, which is absurd for a pane of glass (more than {most}).</source>
+        <translation>组 {group} 的值为 {found}，对一块玻璃而言不合理（超过 {most}）。</translation>
+    </message>
+    <message>
+        <source>The file ends early: {reason}. It was cut off.</source>
+        <translation>文件提前结束：{reason}。文件不完整。</translation>
+    </message>
+    <message>
+        <source>The sections of the file are broken: {reason}.</source>
+        <translation>文件的段结构有误：{reason}。</translation>
+    </message>
+    <message>
+        <source>{entity} announces {announced} {what} but has {found}.</source>
+        <translation>{entity} 声明有 {announced} 个{what}，实际为 {found} 个。</translation>
+    </message>
+    <message>
+        <source>{entity} lacks group {group} ({what}).</source>
+        <translation>{entity} 缺少组 {group}（{what}）。</translation>
+    </message>
+    <message>
+        <source>{entity} has {what} {value}, which cannot be.</source>
+        <translation>{entity} 的{what} {value}，这不可能。</translation>
+    </message>
+    <message>
+        <source>The file does not say its unit; millimetres are assumed.</source>
+        <translation>文件未注明单位；按毫米处理。</translation>
+    </message>
+    <message>
+        <source>The file gives its unit as number {number}, which is not mm, cm, m, inch or foot; say the unit with --units.</source>
+        <translation>文件的单位编号为 {number}，不是毫米、厘米、米、英寸或英尺；请用 --units 指定单位。</translation>
+    </message>
+    <message>
+        <source>{count} × {entity} not read yet; the contour would lack it.</source>
+        <translation>{count} × {entity} 尚不支持读取；轮廓会因此缺失。</translation>
+    </message>
+    <message>
+        <source>{count} × {entity} not flat in a plane parallel to the XY plane.</source>
+        <translation>{count} × {entity} 不在与 XY 平面平行的平面内。</translation>
+    </message>
+    <message>
+        <source>{count} × {entity} passed over: {reason}.</source>
+        <translation>已略过 {count} × {entity}：{reason}。</translation>
+    </message>
+    <message>
+        <source>{count} more of {code} are not listed.</source>
+        <translation>另有 {count} 条 {code} 未列出。</translation>
+    </message>
+    <message>
+        <source>A doubled piece of {size_mm} mm was removed.</source>
+        <translation>已删除一段 {size_mm} mm 的重复线段。</translation>
+    </message>
+    <message>
+        <source>A piece without length ({size_mm} mm) was removed.</source>
+        <translation>已删除一段无长度的线段（{size_mm} mm）。</translation>
+    </message>
+    <message>
+        <source>A gap of {size_mm} mm was closed.</source>
+        <translation>已闭合 {size_mm} mm 的间隙。</translation>
+    </message>
+    <message>
+        <source>The contour is open here: the next free end is {gap_mm} mm away (up to {tolerance_mm} mm are joined).</source>
+        <translation>轮廓在此处断开：最近的自由端相距 {gap_mm} mm（{tolerance_mm} mm 以内会自动连接）。</translation>
+    </message>
+    <message>
+        <source>{count} pieces meet here; a contour cannot branch.</source>
+        <translation>此处有 {count} 段相交；轮廓不能分叉。</translation>
+    </message>
+    <message>
+        <source>The drawing has no closed contour.</source>
+        <translation>图中没有闭合轮廓。</translation>
+    </message>
+    <message>
+        <source>The drawing has {count} contours; only a single outline can be ground yet.</source>
+        <translation>图中有 {count} 个轮廓；目前只能磨削单个外轮廓。</translation>
+    </message>
+    <message>
+        <source>The contour encloses no area.</source>
+        <translation>轮廓没有围成面积。</translation>
+    </message>
+    <message>
+        <source>The contour crosses or touches itself here.</source>
+        <translation>轮廓在此处自相交或自接触。</translation>
+    </message>
+    <message>
+        <source>The contour has a concave corner of {angle_deg}° here; such corners cannot be ground yet.</source>
+        <translation>轮廓在此处有 {angle_deg}° 的凹角；目前还不能磨削这种转角。</translation>
+    </message>
+    <message>
+        <source>The contour turns back on itself here, in a tip of {angle_deg}°; that is a mistake of the drawing.</source>
+        <translation>轮廓在此处折返，尖端仅 {angle_deg}°；这是图纸错误。</translation>
+    </message>
+    <message>
+        <source>The wheel of {wheel_mm} mm radius does not fit into the hollow of {radius_mm} mm radius here.</source>
+        <translation>半径 {wheel_mm} mm 的磨轮放不进此处半径 {radius_mm} mm 的凹处。</translation>
+    </message>
+    <message>
+        <source>The wheel would touch another part of the glass here: {distance_mm} mm from the wheel&apos;s centre.</source>
+        <translation>磨轮在此处会碰到玻璃的其他部位：距磨轮中心 {distance_mm} mm。</translation>
+    </message>
+    <message>
+        <source>Corner {corner}: the wheel lifts by {lift_mm} mm, less than the {depth_mm} mm of glass at the tip.</source>
+        <translation>转角 {corner}：磨轮抬离 {lift_mm} mm，小于尖端处 {depth_mm} mm 的玻璃磨削量。</translation>
+    </message>
+    <message>
+        <source>Corner {corner} takes {time_s} s.</source>
+        <translation>转角 {corner} 用时 {time_s} s。</translation>
+    </message>
+    <message>
+        <source>The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the glass and has {distance_mm} mm.</source>
+        <translation>磨轮在此处无法{what}：磨轮中心与玻璃之间需要 {needed_mm} mm，实际只有 {distance_mm} mm。</translation>
+    </message>
+    <message>
+        <source>The overlap is {used_mm} mm, a quarter of the contour, instead of {wanted_mm} mm.</source>
+        <translation>重叠长度取 {used_mm} mm（轮廓的四分之一），而不是 {wanted_mm} mm。</translation>
+    </message>
+    <message>
+        <source>The wheel path leaves the travel of the machine by {excess_mm} mm: {what}.</source>
+        <translation>磨轮路径超出机床行程 {excess_mm} mm：{what}。</translation>
+    </message>
+    <message>
+        <source>The wheel&apos;s lower face would be {height_mm} mm above the table while grinding; it must stay {least_mm} mm above.</source>
+        <translation>磨削时磨轮下端面离工作台 {height_mm} mm；至少须保持 {least_mm} mm。</translation>
+    </message>
+    <message>
+        <source>The {what} height of {height_mm} mm is outside the travel of 0 to {most_mm} mm.</source>
+        <translation>{what} {height_mm} mm 超出 0 至 {most_mm} mm 的行程。</translation>
+    </message>
+    <message>
+        <source>The grinding height of {height_mm} mm is above the clearance height of {clearance_mm} mm.</source>
+        <translation>磨削高度 {height_mm} mm 高于安全高度 {clearance_mm} mm。</translation>
+    </message>
+    <message>
+        <source>The machine&apos;s greatest speed of the {axis} axis is below the feed; it limits the speed on the contour.</source>
+        <translation>机床 {axis} 轴的最高速度低于进给速度；轮廓上的速度因此受限。</translation>
+    </message>
+    <message>
+        <source>Internal error: {reason}.</source>
+        <translation>内部错误：{reason}。</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>提示</translation>
+    </message>
+</context>
+<context>
+    <name>ProblemWord</name>
+    <message>
+        <source>No such file or directory</source>
+        <translation>文件或文件夹不存在</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>没有权限</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>这是一个文件夹</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>输入/输出错误</translation>
+    </message>
+    <message>
+        <source>it holds NUL bytes</source>
+        <translation>含有 NUL 字节</translation>
+    </message>
+    <message>
+        <source>it is a DWG drawing; save it as ASCII DXF</source>
+        <translation>这是 DWG 图纸，请另存为 ASCII DXF</translation>
+    </message>
+    <message>
+        <source>it is UTF-16 text; save it as ASCII DXF</source>
+        <translation>这是 UTF-16 文本，请另存为 ASCII DXF</translation>
+    </message>
+    <message>
+        <source>it begins with {} and not with a group code</source>
+        <translation>开头是 {}，而不是组码</translation>
+    </message>
+    <message>
+        <source>an empty line</source>
+        <translation>空行</translation>
+    </message>
+    <message>
+        <source>the last group code has no value</source>
+        <translation>最后一个组码没有值</translation>
+    </message>
+    <message>
+        <source>there is no EOF</source>
+        <translation>缺少 EOF</translation>
+    </message>
+    <message>
+        <source>there is no EOF; the last POLYLINE has no SEQEND</source>
+        <translation>缺少 EOF；最后的 POLYLINE 没有 SEQEND</translation>
+    </message>
+    <message>
+        <source>there is no EOF, and section {} has no ENDSEC</source>
+        <translation>缺少 EOF，且段 {} 没有 ENDSEC</translation>
+    </message>
+    <message>
+        <source>section {} has no ENDSEC before the next SECTION</source>
+        <translation>段 {} 在下一个 SECTION 之前没有 ENDSEC</translation>
+    </message>
+    <message>
+        <source>section {} has no ENDSEC before EOF</source>
+        <translation>段 {} 在 EOF 之前没有 ENDSEC</translation>
+    </message>
+    <message>
+        <source>ENDSEC without a SECTION</source>
+        <translation>有 ENDSEC 而没有 SECTION</translation>
+    </message>
+    <message>
+        <source>the section has no name</source>
+        <translation>段没有名称</translation>
+    </message>
+    <message>
+        <source>the POLYLINE of line {} has no SEQEND</source>
+        <translation>第 {} 行的 POLYLINE 没有 SEQEND</translation>
+    </message>
+    <message>
+        <source>the POLYLINE of line {} has no SEQEND before {}</source>
+        <translation>第 {} 行的 POLYLINE 没有 SEQEND，其后是 {}</translation>
+    </message>
+    <message>
+        <source>{} without a POLYLINE before it</source>
+        <translation>{} 之前没有 POLYLINE</translation>
+    </message>
+    <message>
+        <source>group {} belongs to no entity</source>
+        <translation>组 {} 不属于任何图元</translation>
+    </message>
+    <message>
+        <source>group {} stands outside of any section</source>
+        <translation>组 {} 不在任何段内</translation>
+    </message>
+    <message>
+        <source>{} stands outside of any section</source>
+        <translation>{} 不在任何段内</translation>
+    </message>
+    <message>
+        <source>group {}</source>
+        <translation>组 {}</translation>
+    </message>
+    <message>
+        <source>twice</source>
+        <translation>出现两次</translation>
+    </message>
+    <message>
+        <source>X of its start</source>
+        <translation>起点 X</translation>
+    </message>
+    <message>
+        <source>Y of its start</source>
+        <translation>起点 Y</translation>
+    </message>
+    <message>
+        <source>X of its end</source>
+        <translation>终点 X</translation>
+    </message>
+    <message>
+        <source>Y of its end</source>
+        <translation>终点 Y</translation>
+    </message>
+    <message>
+        <source>X of its centre</source>
+        <translation>圆心 X</translation>
+    </message>
+    <message>
+        <source>Y of its centre</source>
+        <translation>圆心 Y</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>start angle</source>
+        <translation>起始角</translation>
+    </message>
+    <message>
+        <source>end angle</source>
+        <translation>终止角</translation>
+    </message>
+    <message>
+        <source>the radius</source>
+        <translation>半径为</translation>
+    </message>
+    <message>
+        <source>a bulge of</source>
+        <translation>凸度为</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>顶点</translation>
+    </message>
+    <message>
+        <source>on layer {}, which is never plotted</source>
+        <translation>位于从不打印的图层 {}</translation>
+    </message>
+    <message>
+        <source>layer {} is frozen</source>
+        <translation>图层 {} 已冻结</translation>
+    </message>
+    <message>
+        <source>layer {} is off</source>
+        <translation>图层 {} 已关闭</translation>
+    </message>
+    <message>
+        <source>in paper space</source>
+        <translation>位于图纸空间</translation>
+    </message>
+    <message>
+        <source>no part of a contour</source>
+        <translation>不是轮廓的一部分</translation>
+    </message>
+    <message>
+        <source>invisible</source>
+        <translation>不可见</translation>
+    </message>
+    <message>
+        <source>go down</source>
+        <translation>下降</translation>
+    </message>
+    <message>
+        <source>come up</source>
+        <translation>抬起</translation>
+    </message>
+    <message>
+        <source>lead in</source>
+        <translation>切入</translation>
+    </message>
+    <message>
+        <source>lead out</source>
+        <translation>切出</translation>
+    </message>
+    <message>
+        <source>the lead-in</source>
+        <translation>切入路径</translation>
+    </message>
+    <message>
+        <source>the lead-out</source>
+        <translation>切出路径</translation>
+    </message>
+    <message>
+        <source>the transition at corner {}</source>
+        <translation>转角 {} 的过渡</translation>
+    </message>
+    <message>
+        <source>the roll round corner {}</source>
+        <translation>绕转角 {} 的滚动</translation>
+    </message>
+    <message>
+        <source>the way along the contour</source>
+        <translation>沿轮廓的路径</translation>
+    </message>
+    <message>
+        <source>clearance</source>
+        <translation>安全高度</translation>
+    </message>
+    <message>
+        <source>grinding</source>
+        <translation>磨削高度</translation>
+    </message>
+</context>
+<context>
+    <name>ProfilePage</name>
+    <message>
+        <source>Corner with its angle: from A to C</source>
+        <translation>转角及其角度：从 A 到 C</translation>
+    </message>
+    <message>
+        <source>Braking before, accelerating after</source>
+        <translation>之前减速，之后加速</translation>
+    </message>
+    <message>
+        <source>Limit, feed, wheel radius R</source>
+        <translation>限值、进给速度、磨轮半径 R</translation>
+    </message>
+    <message>
+        <source>R + depth at the tip</source>
+        <translation>R + 尖端磨削深度</translation>
+    </message>
+    <message>
+        <source>Work %1 of %2 · wheel R %3 mm · feed %4 mm/min · acceleration X %5, Y %6 mm/s²</source>
+        <translation>加工 %1，共 %2 · 磨轮 R %3 mm · 进给 %4 mm/min · 加速度 X %5，Y %6 mm/s²</translation>
+    </message>
+</context>
+<context>
+    <name>Quantities</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 分 %2 秒</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 小时 %2 分</translation>
+    </message>
+</context>
+<context>
+    <name>Recipe</name>
+    <message>
+        <source>Wheel radius</source>
+        <translation>磨轮半径</translation>
+    </message>
+    <message>
+        <source>Thickness of the wheel</source>
+        <translation>磨轮厚度</translation>
+    </message>
+    <message>
+        <source>Fine adjustment of the grinding height</source>
+        <translation>磨削高度微调</translation>
+    </message>
+    <message>
+        <source>Normal grinding depth</source>
+        <translation>法向磨削深度</translation>
+    </message>
+    <message>
+        <source>Thickness of the glass</source>
+        <translation>玻璃厚度</translation>
+    </message>
+    <message>
+        <source>Underside of the glass above the table</source>
+        <translation>玻璃下表面距工作台高度</translation>
+    </message>
+    <message>
+        <source>Wheel&apos;s lower face above the glass when traversing</source>
+        <translation>空移时磨轮下端面距玻璃高度</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>进给速度</translation>
+    </message>
+    <message>
+        <source>Acceleration of the X axis</source>
+        <translation>X 轴加速度</translation>
+    </message>
+    <message>
+        <source>Acceleration of the Y axis</source>
+        <translation>Y 轴加速度</translation>
+    </message>
+    <message>
+        <source>Acceleration of the Z axis</source>
+        <translation>Z 轴加速度</translation>
+    </message>
+    <message>
+        <source>Spindle speed</source>
+        <translation>主轴转速</translation>
+    </message>
+    <message>
+        <source>Transition speed at sharp corners</source>
+        <translation>尖角过渡速度</translation>
+    </message>
+    <message>
+        <source>Size correction (positive leaves the pane larger)</source>
+        <translation>尺寸修正（正值使玻璃偏大）</translation>
+    </message>
+    <message>
+        <source>Radius of the lead-in and lead-out</source>
+        <translation>切入切出半径</translation>
+    </message>
+    <message>
+        <source>Overlap past the start</source>
+        <translation>越过起点的重叠长度</translation>
+    </message>
+    <message>
+        <source>Rotation of the pattern</source>
+        <translation>图样旋转角度</translation>
+    </message>
+    <message>
+        <source>Gaps up to this are closed</source>
+        <translation>自动闭合的最大间隙</translation>
+    </message>
+    <message>
+        <source>Tolerance of fitting chopped curves</source>
+        <translation>碎线段拟合公差</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::CornerCard</name>
+    <message>
+        <source>Tap a corner to see its figures.</source>
+        <translation>点按一个转角可查看其数据。</translation>
+    </message>
+    <message>
+        <source>No corners.</source>
+        <translation>没有转角。</translation>
+    </message>
+    <message>
+        <source>Corner %1: %2, %3</source>
+        <translation>转角 %1：%2，%3</translation>
+    </message>
+    <message>
+        <source>Speed v&lt;sub&gt;trans&lt;/sub&gt;</source>
+        <translation>速度 v&lt;sub&gt;trans&lt;/sub&gt;</translation>
+    </message>
+    <message>
+        <source>%1 mm/s, %2</source>
+        <translation>%1 mm/s，%2</translation>
+    </message>
+    <message>
+        <source>Blending a, t&lt;sub&gt;m&lt;/sub&gt;</source>
+        <translation>过渡 a、t&lt;sub&gt;m&lt;/sub&gt;</translation>
+    </message>
+    <message>
+        <source>%1 mm/s², %2 s</source>
+        <translation>%1 mm/s²，%2 s</translation>
+    </message>
+    <message>
+        <source>Widest, leg ℓ</source>
+        <translation>最大距离、边长 ℓ</translation>
+    </message>
+    <message>
+        <source>Relief</source>
+        <translation>脱离</translation>
+    </message>
+    <message>
+        <source>yes: lifts %1, needs %2 mm</source>
+        <translation>可以：抬离 %1，需要 %2 mm</translation>
+    </message>
+    <message>
+        <source>no: lifts %1, needs %2 mm</source>
+        <translation>不足：抬离 %1，需要 %2 mm</translation>
+    </message>
+    <message>
+        <source>Radius of the roll</source>
+        <translation>绕角半径</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>计划</translation>
+    </message>
+    <message>
+        <source>%1 mm/s, %2 s</source>
+        <translation>%1 mm/s，%2 s</translation>
+    </message>
+    <message>
+        <source>Slowing L&lt;sub&gt;d&lt;/sub&gt;, L&lt;sub&gt;a&lt;/sub&gt;</source>
+        <translation>加减速 L&lt;sub&gt;d&lt;/sub&gt;、L&lt;sub&gt;a&lt;/sub&gt;</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm</source>
+        <translation>%1，%2 mm</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::CornerModel</name>
+    <message>
+        <source>#</source>
+        <translation>#</translation>
+    </message>
+    <message>
+        <source>Angle
+β</source>
+        <translation>角度
+β</translation>
+    </message>
+    <message>
+        <source>Treatment</source>
+        <translation>处理方式</translation>
+    </message>
+    <message>
+        <source>Speed
+mm/s</source>
+        <translation>速度
+mm/s</translation>
+    </message>
+    <message>
+        <source>Accel.
+mm/s²</source>
+        <translation>加速度
+mm/s²</translation>
+    </message>
+    <message>
+        <source>Time
+s</source>
+        <translation>时间
+s</translation>
+    </message>
+    <message>
+        <source>Widest
+mm</source>
+        <translation>最大距离
+mm</translation>
+    </message>
+    <message>
+        <source>Relief
+mm</source>
+        <translation>脱离
+mm</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::DrawingView</name>
+    <message>
+        <source>Drawing</source>
+        <translation>图形</translation>
+    </message>
+    <message>
+        <source>Open a pattern (DXF), or drop one here.</source>
+        <translation>打开图样（DXF），或将文件拖放到此处。</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::FindingsPanel</name>
+    <message>
+        <source>Corners</source>
+        <translation>转角</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Problems (%1)</source>
+        <translation>问题（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::JobPage</name>
+    <message>
+        <source>Drawing</source>
+        <translation>图形</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>同时显示</translation>
+    </message>
+    <message>
+        <source>Planning</source>
+        <translation>正在规划</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>缩小</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>放大</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适合窗口</translation>
+    </message>
+    <message>
+        <source>Fit into the view</source>
+        <translation>适合窗口</translation>
+    </message>
+    <message>
+        <source>Reading and planning…</source>
+        <translation>正在读取和规划…</translation>
+    </message>
+    <message>
+        <source>No pattern is open.</source>
+        <translation>没有打开的图样。</translation>
+    </message>
+    <message>
+        <source>Grinding: %1
+Whole program: %2</source>
+        <translation>磨削：%1
+整个程序：%2</translation>
+    </message>
+    <message>
+        <source>Cannot be ground: see the problems.</source>
+        <translation>无法磨削：请查看“问题”。</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::MainWindow</name>
+    <message>
+        <source>%1 – Arris</source>
+        <translation>%1 – Arris</translation>
+    </message>
+    <message>
+        <source>Open pattern</source>
+        <translation>打开图样</translation>
+    </message>
+    <message>
+        <source>Drawings (*.dxf *.DXF);;All files (*)</source>
+        <translation>图纸 (*.dxf *.DXF);;所有文件 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::NumberEdit</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>%1: type a number %2.</source>
+        <translation>%1：请输入 %2 的数。</translation>
+    </message>
+    <message>
+        <source>%1: “%2” can mean %3 or %4; type it that way.</source>
+        <translation>%1：“%2”可以是 %3 或 %4；请按其中一种输入。</translation>
+    </message>
+    <message>
+        <source>%1 is not a number; type one %2.</source>
+        <translation>%1：输入的不是数；请输入 %2 的数。</translation>
+    </message>
+    <message>
+        <source>%1 is out of range; it must be %2.</source>
+        <translation>%1超出范围；应为 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::ProblemModel</name>
+    <message>
+        <source>(line %1 of the file)</source>
+        <translation>（文件第 %1 行）</translation>
+    </message>
+    <message>
+        <source>(at X %1, Y %2 mm)</source>
+        <translation>（位于 X %1，Y %2 mm）</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3</source>
+        <translation>%1：%2 %3</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::ProfilePlot</name>
+    <message>
+        <source>time, s</source>
+        <translation>时间，s</translation>
+    </message>
+    <message>
+        <source>X velocity
+mm/s</source>
+        <translation>X 速度
+mm/s</translation>
+    </message>
+    <message>
+        <source>v X
+mm/s</source>
+        <translation>v X
+mm/s</translation>
+    </message>
+    <message>
+        <source>Y velocity
+mm/s</source>
+        <translation>Y 速度
+mm/s</translation>
+    </message>
+    <message>
+        <source>v Y
+mm/s</source>
+        <translation>v Y
+mm/s</translation>
+    </message>
+    <message>
+        <source>X acceleration
+mm/s²</source>
+        <translation>X 加速度
+mm/s²</translation>
+    </message>
+    <message>
+        <source>a X
+mm/s²</source>
+        <translation>a X
+mm/s²</translation>
+    </message>
+    <message>
+        <source>Y acceleration
+mm/s²</source>
+        <translation>Y 加速度
+mm/s²</translation>
+    </message>
+    <message>
+        <source>a Y
+mm/s²</source>
+        <translation>a Y
+mm/s²</translation>
+    </message>
+    <message>
+        <source>Path speed
+mm/s</source>
+        <translation>路径速度
+mm/s</translation>
+    </message>
+    <message>
+        <source>v
+mm/s</source>
+        <translation>v
+mm/s</translation>
+    </message>
+    <message>
+        <source>Wheel to corner
+mm</source>
+        <translation>磨轮到转角
+mm</translation>
+    </message>
+    <message>
+        <source>L
+mm</source>
+        <translation>L
+mm</translation>
+    </message>
+    <message>
+        <source>limit %1</source>
+        <translation>限值 %1</translation>
+    </message>
+    <message>
+        <source>feed %1</source>
+        <translation>进给 %1</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::RecipePanel</name>
+    <message>
+        <source>&amp;Open pattern…</source>
+        <translation>打开图样(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>No pattern yet</source>
+        <translation>尚无图样</translation>
+    </message>
+    <message>
+        <source>Rim speed: %1 m/s</source>
+        <translation>线速度：%1 m/s</translation>
+    </message>
+    <message>
+        <source>The drawing still shows the last valid values.</source>
+        <translation>图形仍按最近的有效值显示。</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::TimeModel</name>
+    <message>
+        <source>Grinding, lead-in to lead-out</source>
+        <translation>磨削（从切入到切出）</translation>
+    </message>
+    <message>
+        <source>Whole program</source>
+        <translation>整个程序</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>占比</translation>
+    </message>
+</context>
+</TS>
