@@ -412,10 +412,6 @@
         <translation>Ecke {corner} dauert {time_s} s.</translation>
     </message>
     <message>
-        <source>The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the glass and has {distance_mm} mm.</source>
-        <translation>Die Schleifscheibe kann hier nicht {what}: Zwischen ihrer Mitte und dem Glas sind {needed_mm} mm nötig und {distance_mm} mm vorhanden.</translation>
-    </message>
-    <message>
         <source>The overlap is {used_mm} mm, a quarter of the contour, instead of {wanted_mm} mm.</source>
         <translation>Die Überlappung beträgt {used_mm} mm, ein Viertel der Kontur, statt {wanted_mm} mm.</translation>
     </message>
@@ -454,6 +450,18 @@
     <message>
         <source>Note</source>
         <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>A single piece, its ends {length_mm} mm apart, belongs to no contour; it may lie on top of another.</source>
+        <translation>Ein einzelnes Stück, dessen Enden {length_mm} mm auseinanderliegen, gehört zu keiner Kontur; vielleicht liegt es auf einem anderen.</translation>
+    </message>
+    <message>
+        <source>The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the glass and has {distance_mm} mm. Start on a longer edge away from sharp corners, or change the lead&apos;s radius.</source>
+        <translation>Die Scheibe kann hier nicht {what}: sie braucht {needed_mm} mm zwischen ihrer Mitte und dem Glas und hat {distance_mm} mm. Auf einer längeren Kante abseits scharfer Ecken anfangen oder den Radius der Anfahrwege ändern.</translation>
+    </message>
+    <message>
+        <source>At the park position the wheel&apos;s lower face would be {height_mm} mm above the table, over or beside the glass; it must be {least_mm} mm above.</source>
+        <translation>In der Parkposition wäre die Unterseite der Scheibe {height_mm} mm über dem Tisch, über dem Glas oder neben ihm; es müssen {least_mm} mm sein.</translation>
     </message>
 </context>
 <context>

@@ -412,10 +412,6 @@
         <translation>转角 {corner} 用时 {time_s} s。</translation>
     </message>
     <message>
-        <source>The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the glass and has {distance_mm} mm.</source>
-        <translation>磨轮在此处无法{what}：磨轮中心与玻璃之间需要 {needed_mm} mm，实际只有 {distance_mm} mm。</translation>
-    </message>
-    <message>
         <source>The overlap is {used_mm} mm, a quarter of the contour, instead of {wanted_mm} mm.</source>
         <translation>重叠长度取 {used_mm} mm（轮廓的四分之一），而不是 {wanted_mm} mm。</translation>
     </message>
@@ -454,6 +450,18 @@
     <message>
         <source>Note</source>
         <translation>提示</translation>
+    </message>
+    <message>
+        <source>A single piece, its ends {length_mm} mm apart, belongs to no contour; it may lie on top of another.</source>
+        <translation>一个单独的图元（两端相距 {length_mm} mm）不属于任何轮廓；它可能与另一图元重叠。</translation>
+    </message>
+    <message>
+        <source>The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the glass and has {distance_mm} mm. Start on a longer edge away from sharp corners, or change the lead&apos;s radius.</source>
+        <translation>磨轮无法在此处{what}：磨轮中心与玻璃之间需要 {needed_mm} mm，实际为 {distance_mm} mm。请在远离尖角的较长边上起始，或更改引入半径。</translation>
+    </message>
+    <message>
+        <source>At the park position the wheel&apos;s lower face would be {height_mm} mm above the table, over or beside the glass; it must be {least_mm} mm above.</source>
+        <translation>在停放位置，磨轮下表面将高于工作台 {height_mm} mm，位于玻璃上方或旁边；必须高出 {least_mm} mm。</translation>
     </message>
 </context>
 <context>

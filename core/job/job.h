@@ -90,7 +90,10 @@ struct Sample {
 /// The rows of the profile: one per period from t = 0, and a last one at the exact end. Refers to the job.
 class Sampler {
 public:
-  explicit Sampler(const Job& job);
+  explicit Sampler(const Job& job) : Sampler(job, job.machine.period) {}
+
+  /// One row each `period` (s) instead of the machine's.
+  Sampler(const Job& job, double period);
   [[nodiscard]] std::size_t count() const;
   /// The next row; rows come in order. Not to be called once `done`.
   Sample next();
@@ -100,6 +103,7 @@ private:
   void goTo(double time);
 
   const Job& m_job;
+  double m_period;
   std::size_t m_periods = 0; ///< begun; the last may be cut short
   std::size_t m_row = 0;
   std::size_t m_piece = 0;

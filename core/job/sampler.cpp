@@ -11,8 +11,9 @@ constexpr double kLastPeriod = 1e-6;
 
 } // namespace
 
-Sampler::Sampler(const Job& job)
-    : m_job(job), m_periods(static_cast<std::size_t>(std::ceil(job.duration / job.machine.period - kLastPeriod))) {}
+Sampler::Sampler(const Job& job, double period)
+    : m_job(job), m_period(period),
+      m_periods(static_cast<std::size_t>(std::ceil(job.duration / period - kLastPeriod))) {}
 
 std::size_t Sampler::count() const {
   return m_job.pieces.empty() ? 0 : m_periods + 1;
@@ -35,7 +36,7 @@ void Sampler::goTo(double time) {
 }
 
 Sample Sampler::next() {
-  const double time = m_row < m_periods ? static_cast<double>(m_row) * m_job.machine.period : m_job.duration;
+  const double time = m_row < m_periods ? static_cast<double>(m_row) * m_period : m_job.duration;
   ++m_row;
   goTo(time);
   const PlannedPiece& piece = m_job.pieces[m_piece];

@@ -97,6 +97,9 @@ QPolygonF curveOf(const ProfileColumns& columns, Panel panel) {
   return thinnedCurve(curve, kDetailWidth / columns.time.back(), kDetailHeight / greatest, kDetail);
 }
 
+/// A figure shows no more; a slow job of hours has a hundred times as many periods.
+constexpr double kMostRows = 200000;
+
 void reserve(ProfileColumns& columns, std::size_t rows) {
   for (std::vector<double>* column :
        {&columns.time, &columns.vx, &columns.vy, &columns.ax, &columns.ay, &columns.speed, &columns.distance}) {
@@ -137,7 +140,7 @@ ProfileColumns columnsOf(const job::Job& job, const std::function<bool()>& wante
   if (job.pieces.empty()) {
     return columns;
   }
-  job::Sampler sampler(job);
+  job::Sampler sampler(job, std::max(job.machine.period, job.duration / kMostRows));
   reserve(columns, sampler.count());
   while (!sampler.done() && wanted()) {
     const job::Sample row = sampler.next();
