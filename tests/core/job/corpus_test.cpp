@@ -1,3 +1,4 @@
+#include "core/job/job.h"
 #include "core/pattern/pattern.h"
 #include "tests/support/limited_process.h"
 
@@ -11,29 +12,42 @@
 #include <iostream>
 #include <iterator>
 
-namespace arris::pattern {
+namespace arris::job {
 namespace {
 
 using base::Code;
+using pattern::Pattern;
 
 std::string contentOf(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// One line: "read", "refused" or "skipped" (what it holds is not read yet), and why.
-std::string outcomeOf(const Pattern& pattern) {
-  if (!base::hasErrors(pattern.problems)) {
-    const Contour& contour = pattern.contours.at(0);
-    return fmt::format("read: {} curves, {:.3f} mm, {} repairs", contour.curves.size(),
-                       geometry::totalLength(contour.curves), pattern.repairs.size());
-  }
-  const auto first = std::find_if(pattern.problems.begin(), pattern.problems.end(),
+/// "refused" or "skipped" (what it holds is not read yet), and why.
+std::string refusalOf(const base::Problems& problems) {
+  const auto first = std::find_if(problems.begin(), problems.end(),
                                   [](const auto& p) { return base::severityOf(p) == base::Severity::Error; });
-  const bool notYet = std::any_of(pattern.problems.begin(), pattern.problems.end(), [](const auto& p) {
-    return p.code == Code::DxfBinary || p.code == Code::EntityNotSupported || p.code == Code::SeveralContours;
+  const bool notYet = std::any_of(problems.begin(), problems.end(), [](const auto& p) {
+    return p.code == Code::DxfBinary || p.code == Code::EntityNotSupported || p.code == Code::SeveralContours ||
+           p.code == Code::ConcaveCorner;
   });
-  return fmt::format("{}: {}", notYet ? "skipped" : "refused", base::describeWithPlace(*first));
+  return fmt::format("{}: {}", notYet ? "skipped" : "refused", base::describeWithPlace(*first, "on the table"));
+}
+
+/// With the wheel of the recipe and with a small one, on a machine that has room for every drawing.
+std::string outcomeOf(const Pattern& pattern) {
+  recipe::Machine machine;
+  machine.travel = {20000, 20000, 120};
+  Job job;
+  for (const double radius : {75.0, 5.0}) {
+    recipe::Recipe recipe;
+    recipe.wheelRadius = radius;
+    job = planJob(pattern, recipe, machine);
+    if (job.canBeGround()) {
+      return fmt::format("planned: R {}, {} corners, {:.3f} s", radius, job.toolpath.corners.size(), job.duration);
+    }
+  }
+  return refusalOf(job.problems);
 }
 
 /// What a person needs to find the place of an error: a line, a place, or none because it is about the whole.
@@ -49,9 +63,9 @@ void expectUseful(const base::Problem& problem) {
   }
 }
 
-// Drawings by people and CAD systems. Each is read in a process of its own: none crashes, hangs or eats the memory, and
-// what is refused is refused in words, with a line or a place.
-TEST(Corpus, EveryDrawingIsReadOrRefusedInWords) {
+// Drawings by people and CAD systems. Each is read and planned in a process of its own: none crashes, hangs or eats the
+// memory, and what is refused is refused in words, with a line or a place.
+TEST(Corpus, EveryDrawingIsPlannedOrRefusedInWords) {
   const char* folder = std::getenv("ARRIS_PATTERN_CORPUS"); // NOLINT(concurrency-mt-unsafe)
   if (!folder) {
     GTEST_SKIP() << "ARRIS_PATTERN_CORPUS names no folder of drawings";
@@ -70,7 +84,7 @@ TEST(Corpus, EveryDrawingIsReadOrRefusedInWords) {
     constexpr unsigned kSeconds = 60; // in a Debug build under sanitizers, on a busy machine
     constexpr unsigned kMegabytes = 1024;
     const test::Outcome outcome = test::inLimitedProcess(kSeconds, kMegabytes, [&file]() {
-      const Pattern pattern = readDxf(contentOf(file), {});
+      const Pattern pattern = pattern::readDxf(contentOf(file), {});
       std::for_each(pattern.problems.begin(), pattern.problems.end(), expectUseful);
       std::for_each(pattern.repairs.begin(), pattern.repairs.end(), expectUseful);
       return outcomeOf(pattern);
@@ -79,9 +93,9 @@ TEST(Corpus, EveryDrawingIsReadOrRefusedInWords) {
     std::cout << file.filename().string() << ": " << outcome.text << '\n';
     ++counts[outcome.text.substr(0, outcome.text.find(':'))];
   }
-  std::cout << files.size() << " drawings: " << counts["read"] << " read as one contour, " << counts["refused"]
-            << " refused, " << counts["skipped"] << " skipped (binary, several contours, or entities not read yet)\n";
+  std::cout << files.size() << " drawings: " << counts["planned"] << " planned, " << counts["refused"] << " refused, "
+            << counts["skipped"] << " skipped (binary, several contours, concave corners, or entities not read yet)\n";
 }
 
 } // namespace
-} // namespace arris::pattern
+} // namespace arris::job
