@@ -139,7 +139,7 @@ void Interpolator::decide() {
     return;
   }
   const double speed2 = squared(m_piece.speed);
-  const auto lowest =
+  const auto* const lowest =
       std::min_element(bounds.begin(), bounds.end(), [](const Line& a, const Line& b) { return a.speed2 < b.speed2; });
   if (m_override == 0 || speed2 > lowest->speed2 * (1 + kOnLine)) {
     decideFall(bounds, speed2);

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 namespace arris::ui {
 namespace {
@@ -106,23 +107,31 @@ QWidget* JobPage::makeHeader() {
   layout->addSpacing(8);
   layout->addWidget(m_stateSign);
   layout->addWidget(m_state, 1);
-  const auto addZoom = [&](const QString& text, const QString& name, const QString& what, auto drawing, auto plot) {
+  using Act = std::function<void()>;
+  const auto addZoom = [&](const QString& text, const QString& name, const QString& what, const Act& drawing,
+                           const Act& plot) {
     QToolButton* button = makeButton(text, name);
     button->setToolTip(what);
     button->setAccessibleName(what);
     layout->addWidget(button);
     connect(button, &QToolButton::clicked, this, [this, drawing, plot] {
       if (m_viewButtons->checkedId() != ProfileOnly) {
-        (m_drawing->*drawing)();
+        drawing();
       }
       if (m_viewButtons->checkedId() != DrawingOnly) {
-        (m_profile->*plot)();
+        plot();
       }
     });
   };
-  addZoom(QStringLiteral("−"), QStringLiteral("zoomOut"), tr("Zoom out"), &DrawingView::zoomOut, &ProfilePlot::zoomOut);
-  addZoom(QStringLiteral("+"), QStringLiteral("zoomIn"), tr("Zoom in"), &DrawingView::zoomIn, &ProfilePlot::zoomIn);
-  addZoom(tr("Fit"), QStringLiteral("fit"), tr("Fit into the view"), &DrawingView::fit, &ProfilePlot::showWork);
+  addZoom(
+      QStringLiteral("−"), QStringLiteral("zoomOut"), tr("Zoom out"), [this] { m_drawing->zoomOut(); },
+      [this] { m_profile->zoomOut(); });
+  addZoom(
+      QStringLiteral("+"), QStringLiteral("zoomIn"), tr("Zoom in"), [this] { m_drawing->zoomIn(); },
+      [this] { m_profile->zoomIn(); });
+  addZoom(
+      tr("Fit"), QStringLiteral("fit"), tr("Fit into the view"), [this] { m_drawing->fit(); },
+      [this] { m_profile->showWork(); });
   return header;
 }
 
