@@ -46,11 +46,7 @@ OrStatus<Settings> loadSettings(const fs::path& recipeFile, const fs::path& mach
   if (!recipe) {
     return tl::unexpected(recipe.error());
   }
-  base::Problems problems = options.applyTo(*recipe, *machine);
-  if (problems.empty()) {
-    problems = checkSupported(*recipe);
-  }
-  const ExitStatus status = tellAndJudge(problems);
+  const ExitStatus status = tellAndJudge(options.applyTo(*recipe, *machine));
   if (status != ExitStatus::Done) {
     return tl::unexpected(status);
   }
@@ -59,7 +55,7 @@ OrStatus<Settings> loadSettings(const fs::path& recipeFile, const fs::path& mach
 
 OrStatus<pattern::Pattern> loadPattern(const fs::path& file, const recipe::Recipe& recipe) {
   return load(file).map(
-      [&](const std::string& text) { return pattern::readDxf(text, {.units = recipe.units, .gap = recipe.gap}); });
+      [&](const std::string& text) { return pattern::readDxf(text, pattern::importOptions(recipe)); });
 }
 
 } // namespace arris::app

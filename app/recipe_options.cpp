@@ -194,32 +194,4 @@ Problems RecipeOptions::applyTo(Recipe& recipe, const recipe::Machine& machine) 
   return problems;
 }
 
-Problems checkSupported(const Recipe& recipe) {
-  const Recipe standard;
-  Problems problems;
-  const auto refuse = [&](std::string_view option, std::string_view key, const std::string& value) {
-    problems.emplace_back(
-        Code::ValueNotYetSupported,
-        std::vector<base::Value>{{"name", fmt::format("--{} ({})", option, key)}, {"default", value}});
-  };
-  constexpr std::array kNumbers{&Recipe::smooth, &Recipe::sizeCorrection};
-  for (const NumberField& field : recipe::numberFields()) {
-    const bool unheeded = std::find(kNumbers.begin(), kNumbers.end(), field.member) != kNumbers.end();
-    if (unheeded && recipe.*field.member != standard.*field.member) {
-      refuse(field.option, field.key, fmt::format("{} {}", standard.*field.member, field.unit));
-    }
-  }
-  for (const recipe::ListField& field : recipe::listFields()) {
-    if (recipe.*field.member != standard.*field.member) {
-      refuse(field.option, field.key, "all");
-    }
-  }
-  for (const recipe::FlagField& field : recipe::flagFields()) {
-    if (recipe.*field.member != standard.*field.member) {
-      refuse(field.option, field.key, "no");
-    }
-  }
-  return problems;
-}
-
 } // namespace arris::app

@@ -30,7 +30,4 @@ private:
   std::map<std::string, const CLI::Option*, std::less<>> m_options; ///< by name, without the dashes
 };
 
-/// An error for each value that differs from its default although nothing heeds it yet.
-[[nodiscard]] base::Problems checkSupported(const recipe::Recipe& recipe);
-
 } // namespace arris::app

@@ -272,10 +272,6 @@
         <translation>{name} ist „{value}“; möglich sind: {choices}.</translation>
     </message>
     <message>
-        <source>{name} has no effect yet; leave it at {default}.</source>
-        <translation>{name} wirkt noch nicht; bitte bei {default} lassen.</translation>
-    </message>
-    <message>
         <source>{file} is not a profile of Arris: {reason}.</source>
         <translation>{file} ist kein Profil von Arris: {reason}.</translation>
     </message>

@@ -272,10 +272,6 @@
         <translation>{name} 为“{value}”；只能是：{choices}。</translation>
     </message>
     <message>
-        <source>{name} has no effect yet; leave it at {default}.</source>
-        <translation>{name} 尚不起作用；请保持为 {default}。</translation>
-    </message>
-    <message>
         <source>{file} is not a profile of Arris: {reason}.</source>
         <translation>{file} 不是 Arris 的速度曲线文件：{reason}。</translation>
     </message>

@@ -31,7 +31,6 @@ enum class Code {
   ValueOutOfRange,
   ValueAboveMachine,
   ValueNotAChoice,
-  ValueNotYetSupported,
   CsvMalformed,
   // The gate in front of the DXF reader
   DxfEmpty,

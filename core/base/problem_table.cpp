@@ -22,7 +22,6 @@ const std::vector<CodeInfo>& allCodes() {
       {ValueAboveMachine, "value-above-machine", Error,
        "{name} is {value} {unit}; the machine allows {most} {unit} at most."},
       {ValueNotAChoice, "value-not-a-choice", Error, "{name} is \"{value}\"; it must be one of: {choices}."},
-      {ValueNotYetSupported, "value-not-yet-supported", Error, "{name} has no effect yet; leave it at {default}."},
       {CsvMalformed, "csv-malformed", Error, "{file} is not a profile of Arris: {reason}."},
 
       {DxfEmpty, "dxf-empty", Error, "The pattern file is empty."},

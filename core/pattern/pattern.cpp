@@ -73,6 +73,10 @@ Pattern onlyWith(Problem problem) {
 
 } // namespace
 
+ImportOptions importOptions(const recipe::Recipe& recipe) {
+  return {.units = recipe.units, .gap = recipe.gap, .smooth = recipe.smooth, .layers = recipe.layers};
+}
+
 Pattern readDxf(std::string_view text, const ImportOptions& options) {
   try {
     const base::Expected<Inventory> inventory = inspectDxf(text, options.units);

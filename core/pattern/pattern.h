@@ -21,6 +21,7 @@ struct Contour {
   ContourKind kind = ContourKind::Outline;
   std::vector<geometry::Curve> curves;
   double fitDeviation = 0; ///< largest distance between this and the drawing, mm
+  int parent = 0;          ///< id of the innermost contour that this one lies in; 0: none
 };
 
 /// Where the unit of the drawing was taken from.
@@ -44,8 +45,14 @@ struct Pattern {
 
 struct ImportOptions {
   std::optional<recipe::Units> units;
-  double gap = 0.05; ///< mm, ends nearer than this are joined
+  double gap = 0.05;               ///< mm, ends nearer than this are joined
+  double smooth = 0.01;            ///< mm, chords of curves are fitted within this; 0: not at all
+  std::vector<std::string> layers; ///< only what is on these; everything where empty
+
+  bool operator==(const ImportOptions&) const = default;
 };
+
+[[nodiscard]] ImportOptions importOptions(const recipe::Recipe& recipe);
 
 /// Reads a DXF drawing from memory. Never throws, whatever the text; cost grows as n log n.
 [[nodiscard]] Pattern readDxf(std::string_view text, const ImportOptions& options);

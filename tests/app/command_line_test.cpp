@@ -110,12 +110,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Usage{"PictureKind", {"plan", kTriangle, "--preview", "a.jpg"}, "--preview"},
                     Usage{"PlotKind", {"plan", kTriangle, "--plot", "plot"}, "--plot"},
                     Usage{"OverTheInput", {"plan", kTriangle, "--gcode", kTriangle}, "--gcode"},
-                    Usage{"TwoOutputsInOne", {"plan", kTriangle, "--gcode", "/tmp/x", "--report", "/tmp/x"}, "--gcode"},
-                    Usage{"LayerYet", {"plan", kTriangle, "--layer", "GLASS"}, "--layer"},
-                    Usage{"SmoothYet", {"plan", kTriangle, "--smooth", "0"}, "--smooth"},
-                    Usage{"SizeCorrectionYet", {"plan", kTriangle, "--size-correction", "0.2"}, "--size-correction"},
-                    Usage{"UnreachedYet", {"plan", kTriangle, "--accept-unreached"}, "--accept-unreached"},
-                    Usage{"InspectLayerYet", {"inspect", kTriangle, "--layer", "GLASS"}, "--layer"}),
+                    Usage{"TwoOutputsInOne", {"plan", kTriangle, "--gcode", "/tmp/x", "--report", "/tmp/x"}, "--gcode"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 class EveryNumberOption : public testing::TestWithParam<recipe::NumberField> {};

@@ -15,15 +15,8 @@ job::Job plan(const pattern::Pattern& pattern, const recipe::Recipe& recipe, con
   return job::planJob(pattern, recipe, machine);
 }
 
-pattern::ImportOptions importOptions(const recipe::Recipe& recipe) {
-  pattern::ImportOptions options;
-  options.units = recipe.units;
-  options.gap = recipe.gap;
-  return options;
-}
-
 bool isOf(const Import& import, const std::filesystem::path& file, const pattern::ImportOptions& options) {
-  return import.file == file && import.options.units == options.units && import.options.gap == options.gap;
+  return import.file == file && import.options == options;
 }
 
 } // namespace
@@ -98,7 +91,7 @@ template <typename Call> void Planner::deliver(quint64 number, Call call) {
 // In the worker's thread: of the object it reads only the request number and what never changes.
 void Planner::work(const Request& request) {
   std::shared_ptr<const Import> import = request.import;
-  const pattern::ImportOptions options = importOptions(request.recipe);
+  const pattern::ImportOptions options = pattern::importOptions(request.recipe);
   if (!import || !isOf(*import, request.file, options)) {
     import = read(request, options);
   }

@@ -55,7 +55,6 @@ const std::vector<const char*>& problemTemplates() {
       QT_TRANSLATE_NOOP("Problem", "{name} is {value} {unit}; it must be from {least} to {most} {unit}."),
       QT_TRANSLATE_NOOP("Problem", "{name} is {value} {unit}; the machine allows {most} {unit} at most."),
       QT_TRANSLATE_NOOP("Problem", "{name} is \"{value}\"; it must be one of: {choices}."),
-      QT_TRANSLATE_NOOP("Problem", "{name} has no effect yet; leave it at {default}."),
       QT_TRANSLATE_NOOP("Problem", "{file} is not a profile of Arris: {reason}."),
       QT_TRANSLATE_NOOP("Problem", "The pattern file is empty."),
       QT_TRANSLATE_NOOP("Problem", "This is a binary DXF file, which is not read yet; save it as ASCII DXF."),
