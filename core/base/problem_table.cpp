@@ -60,14 +60,28 @@ const std::vector<CodeInfo>& allCodes() {
       {ContourDegenerate, "contour-degenerate", Error, "The contour encloses no area."},
       {ContourCrossesItself, "contour-crosses-itself", Error, "The contour crosses or touches itself here."},
 
-      {ConcaveCorner, "concave-corner", Error,
-       "The contour has a concave corner of {angle_deg}° here; such corners cannot be ground yet."},
       {SpikeInContour, "spike-in-contour", Error,
        "The contour turns back on itself here, in a tip of {angle_deg}°; that is a mistake of the drawing."},
-      {InnerRadiusTooSmall, "inner-radius-too-small", Error,
-       "The wheel of {wheel_mm} mm radius does not fit into the hollow of {radius_mm} mm radius here."},
-      {PathMeetsItself, "path-meets-itself", Error,
-       "The wheel would touch another part of the glass here: {distance_mm} mm from the wheel's centre."},
+      {Unreached, "unreached", Error,
+       "The wheel of {wheel_mm} mm radius does not reach {length_mm} mm of the contour here; up to {left_mm} mm of glass "
+       "would stay. Take a wheel of at most {largest_mm} mm, or accept that this stays unground."},
+      {UnreachedAccepted, "unreached-accepted", Warning,
+       "The wheel of {wheel_mm} mm radius does not reach {length_mm} mm of the contour here; up to {left_mm} mm of glass "
+       "stay. A wheel of at most {largest_mm} mm would."},
+      {ContourNotEntered, "contour-not-entered", Error,
+       "The wheel of {wheel_mm} mm radius does not reach this contour of {length_mm} mm at all. Take a wheel of less than "
+       "{largest_mm} mm, or accept that it stays unground."},
+      {ContourLeftOut, "contour-left-out", Warning,
+       "This contour of {length_mm} mm stays unground: the wheel of {wheel_mm} mm radius does not reach it. A wheel of "
+       "less than {largest_mm} mm would."},
+      {NothingToGrind, "nothing-to-grind", Error, "The wheel of {wheel_mm} mm radius reaches no contour at all."},
+      {ConcaveFillet, "concave-fillet", Warning,
+       "Corner {corner} is concave: the wheel leaves {fillet_mm} mm of glass before it, and {unground_mm} mm of its edges "
+       "are not ground."},
+      {TransitionBlocked, "transition-blocked", Warning,
+       "Corner {corner}: a transition would touch other glass here; the wheel rolls round the corner instead."},
+      {SizeCorrectionTooLarge, "size-correction-too-large", Error,
+       "A size correction of {correction_mm} mm would change the shape of the contour here."},
       {NoRelief, "no-relief", Warning,
        "Corner {corner}: the wheel lifts by {lift_mm} mm, less than the {depth_mm} mm of glass at the tip."},
       {SlowCorner, "slow-corner", Warning, "Corner {corner} takes {time_s} s."},
