@@ -58,10 +58,12 @@ enum class Code {
   OpenChain,
   StrayPiece,
   BranchingChain,
+  EndOnPiece,
   NoContour,
-  SeveralContours,
   ContourDegenerate,
   ContourCrossesItself,
+  ContoursCross,
+  ChordsTooCoarse,
   // Wheel path
   ConcaveCorner,
   SpikeInContour,

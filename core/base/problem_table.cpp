@@ -54,11 +54,16 @@ const std::vector<CodeInfo>& allCodes() {
       {StrayPiece, "stray-piece", Error,
        "A single piece, its ends {length_mm} mm apart, belongs to no contour; it may lie on top of another."},
       {BranchingChain, "branching-chain", Error, "{count} pieces meet here; a contour cannot branch."},
+      {EndOnPiece, "end-on-piece", Error,
+       "A piece ends here on another one, between that one's ends; a contour cannot branch. Remove one of them."},
       {NoContour, "no-contour", Error, "The drawing has no closed contour."},
-      {SeveralContours, "several-contours", Error,
-       "The drawing has {count} contours; only a single outline can be ground yet."},
       {ContourDegenerate, "contour-degenerate", Error, "The contour encloses no area."},
       {ContourCrossesItself, "contour-crosses-itself", Error, "The contour crosses or touches itself here."},
+      {ContoursCross, "contours-cross", Error,
+       "Contours {first} and {second} cross or touch here; move them apart in the drawing."},
+      {ChordsTooCoarse, "chords-too-coarse", Note,
+       "The {count} joints from here on look like the chords of a curve but stay corners: they are joined from a "
+       "smoothing tolerance of {needed_mm} mm on (now {tolerance_mm} mm)."},
 
       {ConcaveCorner, "concave-corner", Error,
        "The contour has a concave corner of {angle_deg}° here; such corners cannot be ground yet."},
