@@ -76,6 +76,7 @@ enum class Code {
   ParkTooLow,
   HeightOutsideTravel,
   GrindingAboveClearance,
+  ConcaveFillet,
   // Speed
   MachineSpeedBinds,
   NumericalFailure,
