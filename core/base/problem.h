@@ -58,10 +58,12 @@ enum class Code {
   OpenChain,
   StrayPiece,
   BranchingChain,
+  EndOnPiece,
   NoContour,
-  SeveralContours,
   ContourDegenerate,
   ContourCrossesItself,
+  ContoursCross,
+  ChordsTooCoarse,
   // Wheel path
   SpikeInContour,
   Unreached,
@@ -81,6 +83,7 @@ enum class Code {
   ParkTooLow,
   HeightOutsideTravel,
   GrindingAboveClearance,
+  ConcaveFillet,
   // Speed
   MachineSpeedBinds,
   NumericalFailure,

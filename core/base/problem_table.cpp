@@ -54,11 +54,16 @@ const std::vector<CodeInfo>& allCodes() {
       {StrayPiece, "stray-piece", Error,
        "A single piece, its ends {length_mm} mm apart, belongs to no contour; it may lie on top of another."},
       {BranchingChain, "branching-chain", Error, "{count} pieces meet here; a contour cannot branch."},
+      {EndOnPiece, "end-on-piece", Error,
+       "A piece ends here on another one, between that one's ends; a contour cannot branch. Remove one of them."},
       {NoContour, "no-contour", Error, "The drawing has no closed contour."},
-      {SeveralContours, "several-contours", Error,
-       "The drawing has {count} contours; only a single outline can be ground yet."},
       {ContourDegenerate, "contour-degenerate", Error, "The contour encloses no area."},
       {ContourCrossesItself, "contour-crosses-itself", Error, "The contour crosses or touches itself here."},
+      {ContoursCross, "contours-cross", Error,
+       "Contours {first} and {second} cross or touch here; move them apart in the drawing."},
+      {ChordsTooCoarse, "chords-too-coarse", Note,
+       "The {count} joints from here on look like the chords of a curve but stay corners: they are joined from a "
+       "smoothing tolerance of {needed_mm} mm on (now {tolerance_mm} mm)."},
 
       {SpikeInContour, "spike-in-contour", Error,
        "The contour turns back on itself here, in a tip of {angle_deg}°; that is a mistake of the drawing."},
@@ -102,6 +107,9 @@ const std::vector<CodeInfo>& allCodes() {
        "The {what} height of {height_mm} mm is outside the travel of 0 to {most_mm} mm."},
       {GrindingAboveClearance, "grinding-above-clearance", Error,
        "The grinding height of {height_mm} mm is above the clearance height of {clearance_mm} mm."},
+      {ConcaveFillet, "concave-fillet", Warning,
+       "The wheel leaves a fillet at the concave corner: {fillet_mm} mm of glass stay before the corner, and "
+       "{unground_mm} mm of its edges are not ground."},
 
       {MachineSpeedBinds, "machine-speed-binds", Note,
        "The machine's greatest speed of the {axis} axis is below the feed; it limits the speed on the contour."},

@@ -8,17 +8,37 @@
 #include <cmath>
 
 namespace arris::test {
-namespace {
-
-std::string number(double x) {
-  return fmt::format("{}", x); // the shortest text that reads back the same
+Spline bezier(std::vector<geometry::Point> controls, std::vector<double> weights) {
+  Spline spline;
+  spline.degree = static_cast<int>(controls.size()) - 1;
+  spline.knots.assign(controls.size(), 0);
+  spline.knots.insert(spline.knots.end(), controls.size(), 1);
+  spline.controls = std::move(controls);
+  spline.weights = std::move(weights);
+  return spline;
 }
 
-std::string pointGroups(int code, const geometry::Point& p) {
+std::string asGroups(std::string_view groups) {
+  std::string text;
+  while (!groups.empty()) {
+    const std::string_view line = groups.substr(0, groups.find('\n'));
+    groups.remove_prefix(std::min(line.size() + 1, groups.size()));
+    const std::size_t space = std::min(line.find(' '), line.size());
+    text.append(line.substr(0, space)).append("\n");
+    text.append(line.substr(std::min(space + 1, line.size()))).append("\n");
+  }
+  return text;
+}
+
+std::string DxfText::number(double x) const {
+  return m_decimals ? fmt::format("{:.{}f}", x, *m_decimals) : fmt::format("{}", x); // the shortest that reads back
+}
+
+std::string DxfText::pointGroups(int code, const geometry::Point& p) const {
   return fmt::format("{} {}\n{} {}\n", code, number(p.x()), code + 10, number(p.y()));
 }
 
-std::string arcGroups(const geometry::Arc& arc, std::string_view layer) {
+std::string DxfText::arcGroups(const geometry::Arc& arc, std::string_view layer) const {
   const geometry::Point center = arc.center();
   const auto angleOf = [&](const geometry::Point& p) {
     return base::degrees(std::atan2(p.y() - center.y(), p.x() - center.x()));
@@ -35,18 +55,9 @@ std::string arcGroups(const geometry::Arc& arc, std::string_view layer) {
   return fmt::format("0 ARC\n{}50 {}\n51 {}\n", place, number(from), number(to));
 }
 
-} // namespace
-
-std::string asGroups(std::string_view groups) {
-  std::string text;
-  while (!groups.empty()) {
-    const std::string_view line = groups.substr(0, groups.find('\n'));
-    groups.remove_prefix(std::min(line.size() + 1, groups.size()));
-    const std::size_t space = std::min(line.find(' '), line.size());
-    text.append(line.substr(0, space)).append("\n");
-    text.append(line.substr(std::min(space + 1, line.size()))).append("\n");
-  }
-  return text;
+DxfText& DxfText::decimals(int count) {
+  m_decimals = count;
+  return *this;
 }
 
 DxfText& DxfText::insUnits(int number) {
@@ -90,6 +101,35 @@ DxfText& DxfText::addPolyline(const std::vector<geometry::Curve>& closedChain) {
   return *this;
 }
 
+DxfText& DxfText::add(const Spline& spline) {
+  const bool closed = spline.controls.front() == spline.controls.back();
+  const int flags = 8 + (closed ? 1 : 0) + (spline.weights.empty() ? 0 : 4); // planar, closed, rational
+  addGroups(fmt::format("0 SPLINE\n8 0\n70 {}\n71 {}\n72 {}\n73 {}\n74 0", flags, spline.degree, spline.knots.size(),
+                        spline.controls.size()));
+  for (const double knot : spline.knots) {
+    addGroups("40 " + number(knot));
+  }
+  for (const double weight : spline.weights) {
+    addGroups("41 " + number(weight));
+  }
+  for (const geometry::Point& control : spline.controls) {
+    addGroups(pointGroups(10, control) + "30 0.0");
+  }
+  return *this;
+}
+
+DxfText& DxfText::block(std::string_view name, const DxfText& content) {
+  m_blocks += asGroups(fmt::format("0 BLOCK\n8 0\n2 {0}\n70 0\n10 0.0\n20 0.0\n30 0.0\n3 {0}", name)) +
+              content.m_entities + asGroups("0 ENDBLK\n8 0");
+  return *this;
+}
+
+DxfText& DxfText::insert(std::string_view block, const geometry::Point& at, const geometry::Vector& scale,
+                         double degrees) {
+  return addGroups(fmt::format("0 INSERT\n8 0\n2 {}\n{}30 0.0\n41 {}\n42 {}\n43 1.0\n50 {}", block, pointGroups(10, at),
+                               number(scale.x()), number(scale.y()), number(degrees)));
+}
+
 DxfText& DxfText::addGroups(std::string_view groups) {
   m_entities += asGroups(groups);
   return *this;
@@ -105,6 +145,9 @@ std::string DxfText::text() const {
   }
   if (!m_layers.empty()) {
     section("TABLES", asGroups("0 TABLE\n2 LAYER") + m_layers + asGroups("0 ENDTAB"));
+  }
+  if (!m_blocks.empty()) {
+    section("BLOCKS", m_blocks);
   }
   section("ENTITIES", m_entities);
   return text + asGroups("0 EOF");

@@ -2,15 +2,30 @@
 
 #include "core/geometry/curve.h"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace arris::test {
 
+/// A B-spline as the entity SPLINE has it: controls + degree + 1 knots; without weights it is not rational.
+struct Spline {
+  int degree = 3;
+  std::vector<geometry::Point> controls;
+  std::vector<double> knots;
+  std::vector<double> weights;
+};
+
+/// The spline that is one Bézier curve: degree + 1 controls.
+[[nodiscard]] Spline bezier(std::vector<geometry::Point> controls, std::vector<double> weights = {});
+
 /// Builds the text of a small DXF drawing. Numbers have 17 digits, so nothing is lost.
 class DxfText {
 public:
+  /// The numbers of what is added from here on have this many decimals.
+  DxfText& decimals(int count);
   DxfText& insUnits(int number);
   DxfText& measurement(int number);
   /// A layer table with this entry; a negative colour switches the layer off, flag 1 freezes it.
@@ -21,14 +36,24 @@ public:
   DxfText& add(const std::vector<geometry::Curve>& curves);
   /// A closed chain as one LWPOLYLINE with bulges.
   DxfText& addPolyline(const std::vector<geometry::Curve>& closedChain);
+  DxfText& add(const Spline& spline);
+  /// The entities of `content` as a block.
+  DxfText& block(std::string_view name, const DxfText& content);
+  DxfText& insert(std::string_view block, const geometry::Point& at, const geometry::Vector& scale, double degrees = 0);
   /// Any groups, each "code value" on a line of its own: "0 TEXT\n8 0".
   DxfText& addGroups(std::string_view groups);
 
   [[nodiscard]] std::string text() const;
 
 private:
+  [[nodiscard]] std::string number(double x) const;
+  [[nodiscard]] std::string pointGroups(int code, const geometry::Point& p) const;
+  [[nodiscard]] std::string arcGroups(const geometry::Arc& arc, std::string_view layer) const;
+
+  std::optional<int> m_decimals;
   std::string m_header;
   std::string m_layers;
+  std::string m_blocks;
   std::string m_entities;
 };
 

@@ -1,11 +1,11 @@
 #include "tests/support/random_panes.h"
 
 #include "core/base/numbers.h"
+#include "tests/support/dice.h"
 #include "tests/support/panes.h"
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace arris::test {
 namespace {
@@ -16,27 +16,6 @@ using geometry::Curve;
 using geometry::Line;
 using geometry::Point;
 using geometry::Vector;
-
-class Dice {
-public:
-  explicit Dice(std::uint64_t seed) : m_engine(seed) {}
-
-  // Not std::uniform_real_distribution: its numbers differ between libraries.
-  double between(double least, double most) {
-    return least + (most - least) * static_cast<double>(m_engine() >> 11U) * 0x1p-53;
-  }
-
-  double logBetween(double least, double most) {
-    return std::exp(between(std::log(least), std::log(most)));
-  }
-
-  bool chance(double share) {
-    return between(0, 1) < share;
-  }
-
-private:
-  std::mt19937_64 m_engine;
-};
 
 std::vector<Point> convexCorners(Dice& dice) {
   const int count = static_cast<int>(dice.between(3, 41));
