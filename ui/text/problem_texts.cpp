@@ -86,8 +86,9 @@ const std::vector<const char*>& problemTemplates() {
           "Problem",
           "A single piece, its ends {length_mm} mm apart, belongs to no contour; it may lie on top of another."),
       QT_TRANSLATE_NOOP("Problem", "{count} pieces meet here; a contour cannot branch."),
-      QT_TRANSLATE_NOOP("Problem", "A piece ends here on another one, between that one's ends; a contour cannot "
-                                   "branch. Remove one of them."),
+      QT_TRANSLATE_NOOP(
+          "Problem",
+          "A piece ends here on another one, between that one's ends; a contour cannot branch. Remove one of them."),
       QT_TRANSLATE_NOOP("Problem", "The drawing has no closed contour."),
       QT_TRANSLATE_NOOP("Problem", "The contour encloses no area."),
       QT_TRANSLATE_NOOP("Problem", "The contour crosses or touches itself here."),
@@ -96,35 +97,43 @@ const std::vector<const char*>& problemTemplates() {
       QT_TRANSLATE_NOOP("Problem",
                         "The {count} joints from here on look like the chords of a curve but stay corners: they are "
                         "joined from a smoothing tolerance of {needed_mm} mm on (now {tolerance_mm} mm)."),
-      QT_TRANSLATE_NOOP("Problem",
-                        "The contour has a concave corner of {angle_deg}° here; such corners cannot be ground yet."),
       QT_TRANSLATE_NOOP(
           "Problem",
           "The contour turns back on itself here, in a tip of {angle_deg}°; that is a mistake of the drawing."),
       QT_TRANSLATE_NOOP(
-          "Problem", "The wheel of {wheel_mm} mm radius does not fit into the hollow of {radius_mm} mm radius here."),
+          "Problem",
+          "The wheel of {wheel_mm} mm radius does not reach {length_mm} mm of the contour here; up to {left_mm} mm of "
+          "glass would stay. Take a wheel of at most {largest_mm} mm, or accept that this stays unground."),
+      QT_TRANSLATE_NOOP("Problem", "The wheel of {wheel_mm} mm radius does not reach {length_mm} mm of the contour "
+                                   "here; up to {left_mm} mm of glass stay. A wheel of at most {largest_mm} mm would."),
+      QT_TRANSLATE_NOOP("Problem", "The wheel of {wheel_mm} mm radius does not reach this contour of {length_mm} mm at "
+                                   "all. Take a wheel of less than {largest_mm} mm, or accept that it stays unground."),
+      QT_TRANSLATE_NOOP("Problem", "This contour of {length_mm} mm stays unground: the wheel of {wheel_mm} mm radius "
+                                   "does not reach it. A wheel of less than {largest_mm} mm would."),
+      QT_TRANSLATE_NOOP("Problem", "The wheel of {wheel_mm} mm radius reaches no contour at all."),
+      QT_TRANSLATE_NOOP("Problem", "Corner {corner} is concave: the wheel leaves {fillet_mm} mm of glass before it, "
+                                   "and {unground_mm} mm of its edges are not ground."),
       QT_TRANSLATE_NOOP(
-          "Problem", "The wheel would touch another part of the glass here: {distance_mm} mm from the wheel's centre."),
+          "Problem",
+          "Corner {corner}: a transition would touch other glass here; the wheel rolls round the corner instead."),
+      QT_TRANSLATE_NOOP("Problem",
+                        "A size correction of {correction_mm} mm would change the shape of the contour here."),
       QT_TRANSLATE_NOOP(
           "Problem",
           "Corner {corner}: the wheel lifts by {lift_mm} mm, less than the {depth_mm} mm of glass at the tip."),
       QT_TRANSLATE_NOOP("Problem", "Corner {corner} takes {time_s} s."),
-      QT_TRANSLATE_NOOP("Problem", "The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the "
-                                   "glass and has {distance_mm} mm. Start on a longer edge away from sharp "
-                                   "corners, or change the lead's radius."),
+      QT_TRANSLATE_NOOP(
+          "Problem", "The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the glass and has "
+                     "{distance_mm} mm. Start on a longer edge away from sharp corners, or change the lead's radius."),
       QT_TRANSLATE_NOOP("Problem", "The overlap is {used_mm} mm, a quarter of the contour, instead of {wanted_mm} mm."),
       QT_TRANSLATE_NOOP("Problem", "The wheel path leaves the travel of the machine by {excess_mm} mm: {what}."),
       QT_TRANSLATE_NOOP("Problem", "The wheel's lower face would be {height_mm} mm above the table while grinding; it "
                                    "must stay {least_mm} mm above."),
-      QT_TRANSLATE_NOOP("Problem",
-                        "At the park position the wheel's lower face would be {height_mm} mm above the table, "
-                        "over or beside the glass; it must be {least_mm} mm above."),
+      QT_TRANSLATE_NOOP("Problem", "At the park position the wheel's lower face would be {height_mm} mm above the "
+                                   "table, over or beside the glass; it must be {least_mm} mm above."),
       QT_TRANSLATE_NOOP("Problem", "The {what} height of {height_mm} mm is outside the travel of 0 to {most_mm} mm."),
       QT_TRANSLATE_NOOP("Problem",
                         "The grinding height of {height_mm} mm is above the clearance height of {clearance_mm} mm."),
-      QT_TRANSLATE_NOOP("Problem",
-                        "The wheel leaves a fillet at the concave corner: {fillet_mm} mm of glass stay before the "
-                        "corner, and {unground_mm} mm of its edges are not ground."),
       QT_TRANSLATE_NOOP(
           "Problem",
           "The machine's greatest speed of the {axis} axis is below the feed; it limits the speed on the contour."),
