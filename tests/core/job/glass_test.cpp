@@ -22,8 +22,8 @@ constexpr int kDrawings = 240;
 #endif
 
 /// Of the drawings this share must be planned, so that the properties are not those of nothing.
-constexpr double kLeastPlanned = 1.0 / 240;
-constexpr double kLeastPlannedAccepted = 1.0 / 240;
+constexpr double kLeastPlanned = 1.0 / 3;
+constexpr double kLeastPlannedAccepted = 1.0 / 3;
 
 /// Every so many planned drawings one is followed row by row.
 constexpr int kFollowed = 6;
