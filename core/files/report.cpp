@@ -42,7 +42,7 @@ void writeBox(JsonWriter& json, std::string_view key, const geometry::Box& bound
   json.member(key, std::span<const double>(corners));
 }
 
-void writeContour(JsonWriter& json, const pattern::Contour& contour) {
+void writeContour(JsonWriter& json, const pattern::Contour& contour, std::optional<double> unground) {
   json.openObject();
   json.member("id", contour.id);
   json.member("kind", word(kContourKinds, contour.kind));
@@ -50,6 +50,9 @@ void writeContour(JsonWriter& json, const pattern::Contour& contour) {
   json.member("area_mm2", std::abs(geometry::signedArea(contour.curves)));
   writeBox(json, "bounds_mm", geometry::bounds(contour.curves));
   json.member("fit_deviation_mm", contour.fitDeviation);
+  if (unground) {
+    json.member("untouched_mm", *unground);
+  }
   json.close();
 }
 
@@ -73,9 +76,9 @@ void writeCounts(JsonWriter& json, std::string_view key, const pattern::EntityCo
   json.close();
 }
 
-// Places are shown where `placement` puts them.
+// Places are shown where `placement` puts them. `unground` is by contour, or empty where nothing was planned.
 void writePattern(JsonWriter& json, const pattern::Pattern& pattern, const std::vector<pattern::Contour>& contours,
-                  const Eigen::Isometry2d& placement, std::string_view file) {
+                  const std::vector<double>& unground, const Eigen::Isometry2d& placement, std::string_view file) {
   json.openObject("pattern");
   json.member("file", file);
   json.member("units", recipeWord("units", pattern.units));
@@ -87,8 +90,8 @@ void writePattern(JsonWriter& json, const pattern::Pattern& pattern, const std::
   }
   json.close();
   json.openArray("contours");
-  for (const pattern::Contour& contour : contours) {
-    writeContour(json, contour);
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    writeContour(json, contours[i], i < unground.size() ? std::optional(unground[i]) : std::nullopt);
   }
   json.close();
   json.openArray("repairs");
@@ -150,9 +153,14 @@ void writeCorner(JsonWriter& json, const Job& job, const Corner& corner) {
   writeBecause(json, corner, job.recipe);
   json.member("A_mm", corner.a);
   json.member("C_mm", corner.c);
-  json.member("tip_depth_mm", corner.tipDepth);
-  json.member("relief", corner.relief);
-  json.member("relief_eq13", corner.reliefEq13);
+  if (corner.kind == toolpath::CornerKind::Concave) {
+    json.member("fillet_mm", corner.fillet);
+    json.member("unground_mm", corner.unground);
+  } else {
+    json.member("tip_depth_mm", corner.tipDepth);
+    json.member("relief", corner.relief);
+    json.member("relief_eq13", corner.reliefEq13);
+  }
   if (corner.treatment == Treatment::Transition) {
     writeTransition(json, corner, job.recipe);
   }
@@ -261,7 +269,7 @@ std::optional<ReportFigures::Corner> cornerFigures(const Json& object, std::opti
 std::string report(const pattern::Pattern& pattern, const Job& job, std::string_view file) {
   JsonWriter json;
   openReport(json);
-  writePattern(json, pattern, job.contours, job.placement.motion, file);
+  writePattern(json, pattern, job.contours, job.toolpath.unground, job.placement.motion, file);
   json.openObject("recipe");
   writeMembers(json, job.recipe);
   json.close();
@@ -287,7 +295,7 @@ std::string report(const pattern::Pattern& pattern, const Job& job, std::string_
 std::string report(const pattern::Pattern& pattern, std::string_view file) {
   JsonWriter json;
   openReport(json);
-  writePattern(json, pattern, pattern.contours, Eigen::Isometry2d::Identity(), file);
+  writePattern(json, pattern, pattern.contours, {}, Eigen::Isometry2d::Identity(), file);
   writeProblems(json, pattern.problems);
   json.close();
   return json.take();

@@ -62,7 +62,7 @@ Job planJob(const pattern::Pattern& pattern, const recipe::Recipe& recipe, const
     return job;
   }
 
-  job.toolpath = toolpath::makeToolpath(job.contours, recipe, leads);
+  job.toolpath = toolpath::makeToolpath(job.contours, recipe, leads, machine.park.head<2>());
   base::Problems problems = job.toolpath.problems;
   append(problems, checkTravel(job.toolpath, machine));
   append(problems, machineSpeedNotes(recipe, machine));

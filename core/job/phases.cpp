@@ -39,22 +39,46 @@ Phase phaseOf(Move move, double acceleration) {
   return acceleration > 0 ? Phase::Accelerate : Phase::Decelerate;
 }
 
+bool isCorner(const PlannedPiece& piece) {
+  return piece.corner != 0 && (piece.phase == Phase::Transition || piece.phase == Phase::Roll);
+}
+
+/// The corner at which the wheel stops when a piece ends, if it does.
+int stopAfter(const std::vector<Segment>& track, const std::vector<PlannedPiece>& pieces, std::size_t index) {
+  const int segment = pieces[index].motion.segment;
+  const bool endsSegment = index + 1 == pieces.size() || pieces[index + 1].motion.segment != segment;
+  return endsSegment ? track[static_cast<std::size_t>(segment)].stopCorner : 0;
+}
+
 // A change of speed belongs to the corner that it runs into or comes out of, without a break.
-template <typename Iterator> void attribute(Iterator from, Iterator to, Phase phase) {
+void attributeAccelerations(const std::vector<Segment>& track, std::vector<PlannedPiece>& pieces) {
   int corner = 0;
-  for (; from != to; ++from) {
-    if (from->phase == Phase::Transition || from->phase == Phase::Roll) {
-      corner = from->corner;
-    } else if (from->phase != phase) {
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (isCorner(pieces[i])) {
+      corner = pieces[i].corner;
+    } else if (pieces[i].phase != Phase::Accelerate) {
       corner = 0;
     } else {
-      from->corner = corner;
+      pieces[i].corner = corner;
     }
+    const int stop = stopAfter(track, pieces, i);
+    corner = stop != 0 ? stop : corner;
   }
 }
 
-bool isCorner(const PlannedPiece& piece) {
-  return piece.phase == Phase::Transition || piece.phase == Phase::Roll;
+void attributeDecelerations(const std::vector<Segment>& track, std::vector<PlannedPiece>& pieces) {
+  int corner = 0;
+  for (std::size_t i = pieces.size(); i-- > 0;) {
+    const int stop = stopAfter(track, pieces, i);
+    corner = stop != 0 ? stop : corner;
+    if (isCorner(pieces[i])) {
+      corner = pieces[i].corner;
+    } else if (pieces[i].phase != Phase::Decelerate) {
+      corner = 0;
+    } else {
+      pieces[i].corner = corner;
+    }
+  }
 }
 
 double lengthOf(const PlannedPiece& piece) {
@@ -69,10 +93,9 @@ double fastest(const motion::Piece& piece) {
   return std::max(piece.speed, piece.speed + piece.acceleration * piece.duration);
 }
 
-// From the first piece of a corner to one behind its last.
-CornerResult resultOf(const std::vector<Segment>& track, const std::vector<PlannedPiece>& pieces, std::size_t first,
-                      std::size_t behind) {
-  const int corner = pieces[first].corner;
+// From the first piece of a corner to one behind its last; of a stop there is none.
+CornerResult resultOf(const std::vector<Segment>& track, const std::vector<PlannedPiece>& pieces, int corner,
+                      std::size_t first, std::size_t behind) {
   CornerResult result;
   for (std::size_t i = first; i < behind; ++i) {
     result.plannedTime += pieces[i].motion.duration;
@@ -108,8 +131,8 @@ std::vector<PlannedPiece> planPieces(const std::vector<Segment>& track, const st
       pieces.push_back({piece, phaseOf(segment.move, piece.acceleration), segment.corner});
     }
   } while (interpolator.nextPiece());
-  attribute(pieces.begin(), pieces.end(), Phase::Accelerate);
-  attribute(pieces.rbegin(), pieces.rend(), Phase::Decelerate);
+  attributeAccelerations(track, pieces);
+  attributeDecelerations(track, pieces);
   return pieces;
 }
 
@@ -117,17 +140,23 @@ std::vector<CornerResult> cornerResults(const std::vector<Segment>& track, const
                                         std::size_t corners) {
   std::vector<CornerResult> results(corners);
   std::vector<bool> done(corners, false);
+  const auto note = [&](int corner, std::size_t first, std::size_t behind) {
+    const auto index = static_cast<std::size_t>(corner - 1);
+    if (!done[index]) {
+      results[index] = resultOf(track, pieces, corner, first, behind);
+      done[index] = true;
+    }
+  };
   for (std::size_t first = 0; first < pieces.size();) {
     std::size_t behind = first + 1;
     if (isCorner(pieces[first])) {
-      const auto index = static_cast<std::size_t>(pieces[first].corner - 1);
       while (behind < pieces.size() && pieces[behind].motion.segment == pieces[first].motion.segment) {
         ++behind;
       }
-      if (!done[index]) {
-        results[index] = resultOf(track, pieces, first, behind);
-        done[index] = true;
-      }
+      note(pieces[first].corner, first, behind);
+    }
+    if (const int stop = stopAfter(track, pieces, behind - 1); stop != 0) {
+      note(stop, behind, behind);
     }
     first = behind;
   }

@@ -88,6 +88,8 @@ public:
       segment.contour = chain.contour;
       segment.number = ++m_number;
       segment.corner = piece.corner;
+      segment.stopAtEnd = piece.stopAtEnd;
+      segment.stopCorner = piece.stopCorner;
       m_track.push_back(segment);
     }
     m_track.back().stopAtEnd = true;
@@ -122,7 +124,7 @@ std::string nameOf(const toolpath::PathSegment& piece) {
   case Role::Transition:
     return fmt::format("the transition at corner {}", piece.corner);
   case Role::Roll:
-    return fmt::format("the roll round corner {}", piece.corner);
+    return piece.corner != 0 ? fmt::format("the roll round corner {}", piece.corner) : "the way along the contour";
   case Role::Contour:
     break;
   }
@@ -220,7 +222,7 @@ Problems checkTravel(const toolpath::Toolpath& toolpath, const recipe::Machine& 
         problems.push_back(Problem(problem).ofCorner(piece.corner));
       } else if (piece.role == Role::LeadIn || piece.role == Role::LeadOut) {
         problems.push_back(problem);
-      } else if (piece.role == Role::Contour && by > worst) {
+      } else if (piece.corner == 0 && by > worst) {
         worst = by;
         worstOnContour = problem;
       }

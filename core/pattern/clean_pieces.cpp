@@ -1,11 +1,12 @@
 #include "core/pattern/clean_pieces.h"
 
 #include "core/base/tolerances.h"
+#include "core/pattern/course.h"
+#include "core/pattern/join.h"
+#include "core/pattern/near_index.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <tuple>
 
@@ -18,7 +19,7 @@ using geometry::Curve;
 using geometry::Point;
 using geometry::Vector;
 
-/// A line or an arc is told by its ends and its middle.
+/// A line or an arc is told by its ends and its middle; of chains only those that are alike in these are compared.
 struct Shape {
   Point start;
   Point middle;
@@ -26,9 +27,10 @@ struct Shape {
   double length = 0;
 };
 
-Shape shapeOf(const Curve& piece) {
-  const double length = geometry::parameterLength(piece);
-  return {geometry::startPoint(piece), geometry::pointAt(piece, length / 2), geometry::endPoint(piece), length};
+Shape shapeOf(Chain piece) {
+  const double length = lengthOf(piece);
+  const Point middle = piece.size() == 1 ? geometry::pointAt(piece.front(), length / 2) : middleOf(piece);
+  return {geometry::startPoint(piece.front()), middle, geometry::endPoint(piece.back()), length};
 }
 
 // Short chords next to each other are near without being copies: never more than a tenth of the length counts as equal.
@@ -59,124 +61,123 @@ bool standsBefore(const Shape& a, const Shape& b) {
   return key(a) < key(b);
 }
 
-/// Finds copies among shapes by a hash over four numbers that do not know the direction: the middle, and how far the
-/// ends are apart along X and Y. A copy's numbers differ by up to `kSamePlace`, so it may lie in a neighbouring cell.
-class CopyIndex {
+NearIndex::Numbers numbersOf(const Shape& s) {
+  return {s.middle.x(), s.middle.y(), std::abs(s.end.x() - s.start.x()), std::abs(s.end.y() - s.start.y())};
+}
+
+bool sameDirection(const Shape& a, const Shape& b) {
+  return (a.start - b.start).squaredNorm() <= (a.start - b.end).squaredNorm();
+}
+
+/// Pieces seen so far, one of each.
+class Originals {
 public:
-  explicit CopyIndex(std::size_t shapes) : m_buckets(bucketCount(shapes), kNone) {
-    m_shapes.reserve(shapes);
-    m_next.reserve(shapes);
+  explicit Originals(const Pieces& pieces) : m_pieces(pieces), m_index(pieces.size()) {
+    m_kept.reserve(pieces.size());
+    m_shapes.reserve(pieces.size());
   }
 
-  /// The number of a shape kept before that is a copy of this one.
-  [[nodiscard]] std::optional<std::size_t> find(const Shape& shape) const {
-    std::array<std::array<std::int64_t, 2>, 4> range{};
-    const std::array<double, 4> n = numbers(shape);
-    for (std::size_t i = 0; i < n.size(); ++i) {
-      range[i] = {cell(n[i] - base::kSamePlace), cell(n[i] + base::kSamePlace)};
+  /// Whether the piece is new; of two copies the one that stands before stays.
+  bool add(std::size_t piece, const Shape& shape) {
+    const NearIndex::Numbers numbers = numbersOf(shape);
+    const std::optional<std::size_t> copy =
+        m_index.find(numbers, [&](std::size_t kept) { return isCopy(kept, piece, shape); });
+    if (!copy) {
+      m_index.add(numbers);
+      m_kept.push_back(piece);
+      m_shapes.push_back(shape);
+      return true;
     }
-    for (unsigned choice = 0; choice < 16; ++choice) {
-      std::array<std::int64_t, 4> cells{};
-      bool repeated = false;
-      for (std::size_t i = 0; i < cells.size(); ++i) {
-        const bool upper = ((choice >> i) & 1U) != 0;
-        repeated = repeated || (upper && range[i][0] == range[i][1]);
-        cells[i] = range[i][upper ? 1 : 0];
-      }
-      if (repeated) {
-        continue;
-      }
-      for (std::uint32_t k = m_buckets[bucket(cells)]; k != kNone; k = m_next[k]) {
-        if (areCopies(m_shapes[k], shape)) {
-          return k;
-        }
-      }
+    if (standsBefore(shape, m_shapes[*copy])) {
+      m_kept[*copy] = piece;
+      m_shapes[*copy] = shape;
     }
-    return std::nullopt;
+    return false;
   }
 
-  void add(const Shape& shape) {
-    std::array<std::int64_t, 4> cells{};
-    const std::array<double, 4> n = numbers(shape);
-    std::transform(n.begin(), n.end(), cells.begin(), cell);
-    std::uint32_t& head = m_buckets[bucket(cells)];
-    m_next.push_back(head);
-    head = static_cast<std::uint32_t>(m_shapes.size());
-    m_shapes.push_back(shape);
-  }
-
-  [[nodiscard]] Shape& operator[](std::size_t number) {
-    return m_shapes[number];
+  [[nodiscard]] Pieces pieces() const {
+    Pieces result;
+    for (const std::size_t piece : m_kept) {
+      result.add(m_pieces[piece]);
+    }
+    return result;
   }
 
 private:
-  static constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
-  static std::size_t bucketCount(std::size_t shapes) {
-    std::size_t count = 16;
-    while (count < 2 * shapes) {
-      count *= 2;
-    }
-    return count;
-  }
-
-  static std::array<double, 4> numbers(const Shape& s) {
-    return {s.middle.x(), s.middle.y(), std::abs(s.end.x() - s.start.x()), std::abs(s.end.y() - s.start.y())};
-  }
-
-  static std::int64_t cell(double x) {
-    constexpr double kCell = 64 * base::kSamePlace;
-    return static_cast<std::int64_t>(std::floor(x / kCell));
-  }
-
-  [[nodiscard]] std::size_t bucket(const std::array<std::int64_t, 4>& cells) const {
-    std::uint64_t hash = 0;
-    for (const std::int64_t c : cells) {
-      hash = (hash ^ static_cast<std::uint64_t>(c)) * 0x9E3779B97F4A7C15U;
-      hash ^= hash >> 32U;
-    }
-    return hash & (m_buckets.size() - 1);
-  }
-
-  std::vector<std::uint32_t> m_buckets; ///< first shape of each
-  std::vector<std::uint32_t> m_next;    ///< next shape in the same bucket
-  std::vector<Shape> m_shapes;
-};
-
-} // namespace
-
-std::vector<Curve> withoutZeroLength(std::vector<Curve> pieces, base::Problems& repairs) {
-  const auto isShort = [&repairs](const Curve& piece) {
-    const double length = geometry::parameterLength(piece);
-    if (length >= base::kZeroLength) {
+  [[nodiscard]] bool isCopy(std::size_t kept, std::size_t piece, const Shape& shape) const {
+    const Shape& other = m_shapes[kept];
+    if (!areCopies(other, shape)) {
       return false;
     }
-    repairs.push_back(Problem(Code::ZeroLengthRemoved, {{"size_mm", length}}).at(geometry::startPoint(piece)));
-    return true;
-  };
-  pieces.erase(std::remove_if(pieces.begin(), pieces.end(), isShort), pieces.end());
-  return pieces;
+    const Chain a = m_pieces[m_kept[kept]];
+    const Chain b = m_pieces[piece];
+    if (a.size() == 1 && b.size() == 1) {
+      return true;
+    }
+    const double tolerance = std::min(sameWithin(other), sameWithin(shape));
+    return sameDirection(other, shape) ? runAlong(a, b, tolerance) : runAlong(a, reversedChain(b), tolerance);
+  }
+
+  const Pieces& m_pieces;
+  NearIndex m_index;
+  std::vector<std::size_t> m_kept; ///< number of the piece
+  std::vector<Shape> m_shapes;     ///< of those kept
+};
+
+bool isShort(const Curve& curve) {
+  return geometry::parameterLength(curve) < base::kZeroLength;
 }
 
-std::vector<Curve> withoutDuplicates(const std::vector<Curve>& pieces, base::Problems& repairs) {
-  CopyIndex index(pieces.size());
+std::vector<Curve> withoutShort(Chain chain, base::Problems& repairs) {
   std::vector<Curve> kept;
-  kept.reserve(pieces.size());
-  for (const Curve& piece : pieces) {
-    const Shape shape = shapeOf(piece);
-    const std::optional<std::size_t> copy = index.find(shape);
-    if (!copy) {
-      index.add(shape);
-      kept.push_back(piece);
-      continue;
-    }
-    repairs.push_back(Problem(Code::DuplicateRemoved, {{"size_mm", shape.length}}).at(shape.middle));
-    if (standsBefore(shape, index[*copy])) {
-      kept[*copy] = piece;
-      index[*copy] = shape;
+  for (const Curve& curve : chain) {
+    if (isShort(curve)) {
+      repairs.push_back(Problem(Code::ZeroLengthRemoved, {{"size_mm", geometry::parameterLength(curve)}})
+                            .at(geometry::startPoint(curve)));
+    } else if (kept.empty()) {
+      kept.push_back(curve);
+    } else {
+      kept.push_back(withEnds(curve, geometry::endPoint(kept.back()), geometry::endPoint(curve)));
     }
   }
   return kept;
+}
+
+} // namespace
+
+Pieces withoutZeroLength(Pieces pieces, base::Problems& repairs) {
+  const auto hasShort = [&pieces](std::size_t piece) {
+    return std::any_of(pieces[piece].begin(), pieces[piece].end(), isShort);
+  };
+  std::size_t first = 0;
+  while (first < pieces.size() && !hasShort(first)) {
+    ++first;
+  }
+  if (first == pieces.size()) {
+    return pieces;
+  }
+  Pieces kept;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (i >= first && hasShort(i)) {
+      kept.add(withoutShort(pieces[i], repairs));
+    } else {
+      kept.add(pieces[i]);
+    }
+  }
+  return kept;
+}
+
+Pieces withoutDuplicates(Pieces pieces, base::Problems& repairs) {
+  Originals originals(pieces);
+  bool all = true;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Shape shape = shapeOf(pieces[i]);
+    if (!originals.add(i, shape)) {
+      all = false;
+      repairs.push_back(Problem(Code::DuplicateRemoved, {{"size_mm", shape.length}}).at(shape.middle));
+    }
+  }
+  return all ? std::move(pieces) : originals.pieces();
 }
 
 } // namespace arris::pattern

@@ -1,17 +1,14 @@
 #pragma once
 
 #include "core/base/problem.h"
-#include "core/geometry/curve.h"
-
-#include <vector>
+#include "core/pattern/pieces.h"
 
 namespace arris::pattern {
 
-/// The pieces that have a length, and one of each that was drawn several times, in either direction. Whichever of the
-/// copies stays does not depend on their order. What was taken out goes to `repairs`. Cost grows linearly.
-[[nodiscard]] std::vector<geometry::Curve> withoutZeroLength(std::vector<geometry::Curve> pieces,
-                                                             base::Problems& repairs);
-[[nodiscard]] std::vector<geometry::Curve> withoutDuplicates(const std::vector<geometry::Curve>& pieces,
-                                                             base::Problems& repairs);
+/// The pieces that have a length, without curves that have none, and one of each piece that was drawn several times, in
+/// either direction. Whichever of the copies stays does not depend on their order. What was taken out goes to
+/// `repairs`. Cost grows linearly.
+[[nodiscard]] Pieces withoutZeroLength(Pieces pieces, base::Problems& repairs);
+[[nodiscard]] Pieces withoutDuplicates(Pieces pieces, base::Problems& repairs);
 
 } // namespace arris::pattern

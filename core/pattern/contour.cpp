@@ -2,9 +2,11 @@
 
 #include "core/base/numbers.h"
 #include "core/base/tolerances.h"
+#include "core/pattern/course.h"
 #include "core/pattern/crossings.h"
 #include "core/pattern/curve_tree.h"
 #include "core/pattern/merge_neighbours.h"
+#include "core/pattern/near_index.h"
 #include "core/pattern/smooth_joints.h"
 
 #include <boost/geometry.hpp>
@@ -12,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 namespace arris::pattern {
@@ -64,24 +67,52 @@ bool isSliver(const Contour& contour) {
          base::kContourAccuracy * geometry::totalLength(contour.curves) / 2;
 }
 
-/// In how many of the other contours each lies; its starting point stands for it.
-std::vector<int> depths(const std::vector<Contour>& contours) {
-  using TreePoint = bg::model::point<double, 2, bg::cs::cartesian>;
-  using Entry = std::pair<bg::model::box<TreePoint>, std::size_t>;
+using TreePoint = bg::model::point<double, 2, bg::cs::cartesian>;
+using TreeBox = bg::model::box<TreePoint>;
+using BoxIndex = bgi::rtree<std::pair<TreeBox, std::size_t>, bgi::quadratic<16>>;
+
+TreeBox treeBox(const geometry::Box& box) {
+  return {{box.min().x(), box.min().y()}, {box.max().x(), box.max().y()}};
+}
+
+/// A tree over each contour and one over all of them.
+struct ContourIndex {
   std::vector<CurveTree> trees;
-  trees.reserve(contours.size());
-  std::vector<Entry> entries;
-  for (std::size_t i = 0; i < contours.size(); ++i) {
-    const geometry::Box& box = trees.emplace_back(contours[i].curves).bounds();
-    entries.push_back({{{box.min().x(), box.min().y()}, {box.max().x(), box.max().y()}}, i});
+  BoxIndex boxes;
+
+  explicit ContourIndex(const std::vector<Contour>& contours) {
+    trees.reserve(contours.size());
+    std::vector<BoxIndex::value_type> entries;
+    for (std::size_t i = 0; i < contours.size(); ++i) {
+      entries.emplace_back(treeBox(trees.emplace_back(contours[i].curves).bounds()), i);
+    }
+    boxes = BoxIndex(entries);
   }
-  const bgi::rtree<Entry, bgi::quadratic<16>> index(entries);
-  std::vector<int> result(contours.size(), 0);
+};
+
+constexpr std::size_t kNoContour = ~std::size_t{0};
+
+/// The innermost of the other contours that each lies in; its starting point stands for it. What does not cross is
+/// ordered by area: the smallest that surrounds a point is the innermost.
+std::vector<std::size_t> parents(const std::vector<Contour>& contours) {
+  const ContourIndex index(contours);
+  std::vector<double> area(contours.size());
+  std::transform(contours.begin(), contours.end(), area.begin(),
+                 [](const Contour& contour) { return std::abs(geometry::signedArea(contour.curves)); });
+  std::vector<std::size_t> result(contours.size(), kNoContour);
   for (std::size_t i = 0; i < contours.size(); ++i) {
     const Point start = geometry::startPoint(contours[i].curves.front());
-    for (auto found = index.qbegin(bgi::intersects(TreePoint(start.x(), start.y()))); found != index.qend(); ++found) {
-      result[i] += found->second != i && trees[found->second].surrounds(start) ? 1 : 0;
+    std::vector<std::size_t> around;
+    for (auto found = index.boxes.qbegin(bgi::intersects(TreePoint(start.x(), start.y()))); found != index.boxes.qend();
+         ++found) {
+      if (found->second != i && area[found->second] > area[i]) {
+        around.push_back(found->second);
+      }
     }
+    std::sort(around.begin(), around.end(), [&](std::size_t a, std::size_t b) { return area[a] < area[b]; });
+    const auto innermost = std::find_if(around.begin(), around.end(),
+                                        [&](std::size_t other) { return index.trees[other].surrounds(start); });
+    result[i] = innermost == around.end() ? kNoContour : *innermost;
   }
   return result;
 }
@@ -104,13 +135,106 @@ void sortByPlace(std::vector<Contour>& contours) {
   contours = std::move(sorted);
 }
 
-void turnCutOuts(std::vector<Contour>& contours) {
-  const std::vector<int> depth = depths(contours);
+/// In how many others each lies.
+std::vector<int> depths(const std::vector<std::size_t>& parent) {
+  std::vector<int> depth(parent.size(), -1);
+  std::vector<std::size_t> path;
+  for (std::size_t i = 0; i < parent.size(); ++i) {
+    std::size_t k = i;
+    for (; k != kNoContour && depth[k] < 0; k = parent[k]) {
+      path.push_back(k);
+    }
+    for (int next = k == kNoContour ? 0 : depth[k] + 1; !path.empty(); ++next) {
+      depth[path.back()] = next;
+      path.pop_back();
+    }
+  }
+  return depth;
+}
+
+void nest(std::vector<Contour>& contours) {
+  const std::vector<std::size_t> parent = parents(contours);
+  const std::vector<int> depth = depths(parent);
   for (std::size_t i = 0; i < contours.size(); ++i) {
+    contours[i].parent = parent[i] == kNoContour ? 0 : contours[parent[i]].id;
     if (depth[i] % 2 == 1) {
       contours[i].kind = ContourKind::CutOut;
       reverseChain(contours[i].curves);
       startAtTheLowest(contours[i].curves);
+    }
+  }
+}
+
+NearIndex::Numbers boxNumbers(const Contour& contour) {
+  const geometry::Box box = geometry::bounds(contour.curves);
+  return {box.min().x(), box.min().y(), box.max().x(), box.max().y()};
+}
+
+// Both run counter-clockwise; they may start anywhere.
+bool areCopies(const Contour& a, const Contour& b) {
+  const double length = geometry::totalLength(a.curves);
+  const double tolerance = std::min(base::kSamePlace, length / 10);
+  if (std::abs(length - geometry::totalLength(b.curves)) > length / 100) {
+    return false;
+  }
+  const Point start = geometry::startPoint(a.curves.front());
+  const auto distance = [&](const Curve& curve) { return geometry::nearest(curve, start).distance; };
+  const auto nearest = std::min_element(b.curves.begin(), b.curves.end(),
+                                        [&](const Curve& c, const Curve& d) { return distance(c) < distance(d); });
+  const double lambda = geometry::nearest(*nearest, start).lambda;
+  std::vector<Curve> fromThere;
+  if (lambda < geometry::parameterLength(*nearest)) {
+    fromThere.push_back(geometry::part(*nearest, lambda, geometry::parameterLength(*nearest)));
+  }
+  fromThere.insert(fromThere.end(), std::next(nearest), b.curves.end());
+  fromThere.insert(fromThere.end(), b.curves.begin(), nearest);
+  if (lambda > 0) {
+    fromThere.push_back(geometry::part(*nearest, 0, lambda));
+  }
+  return runAlong(a.curves, fromThere, tolerance);
+}
+
+// Of two copies the one of fewer curves stays, then the lower.
+bool standsBefore(const Contour& a, const Contour& b) {
+  const auto key = [](const Contour& contour) {
+    const Point p = middleOf(contour.curves);
+    return std::tuple(contour.curves.size(), p.y(), p.x());
+  };
+  return key(a) < key(b);
+}
+
+void checkAlone(const Contour& contour, const CurveTree& tree, base::Problems& problems) {
+  const bool thereAndBack = contour.curves.size() == 2 && isSliver(contour);
+  const std::vector<Point> crossings = thereAndBack ? std::vector<Point>() : selfCrossings(contour.curves, tree);
+  for (const Point& place : crossings) {
+    problems.push_back(Problem(Code::ContourCrossesItself).at(place).ofContour(contour.id));
+  }
+  if (crossings.empty() && isSliver(contour)) {
+    problems.push_back(
+        Problem(Code::ContourDegenerate).at(geometry::startPoint(contour.curves.front())).ofContour(contour.id));
+  }
+}
+
+// Against those after it, so that each pair is looked at once.
+void checkAgainstOthers(const std::vector<Contour>& contours, std::size_t i, const ContourIndex& index,
+                        base::Problems& problems) {
+  geometry::Box box = index.trees[i].bounds();
+  box.min().array() -= base::kSamePlace;
+  box.max().array() += base::kSamePlace;
+  const auto isLater = [i](const BoxIndex::value_type& entry) { return entry.second > i; };
+  std::vector<std::size_t> others;
+  for (auto found = index.boxes.qbegin(bgi::intersects(treeBox(box)) && bgi::satisfies(isLater));
+       found != index.boxes.qend(); ++found) {
+    others.push_back(found->second);
+  }
+  std::sort(others.begin(), others.end());
+  for (const std::size_t k : others) {
+    for (const Point& place :
+         crossingsBetween(contours[i].curves, index.trees[i], contours[k].curves, index.trees[k])) {
+      problems.push_back(Problem(Code::ContoursCross,
+                                 {{"first", std::int64_t{contours[i].id}}, {"second", std::int64_t{contours[k].id}}})
+                             .at(place)
+                             .ofContour(contours[i].id));
     }
   }
 }
@@ -130,34 +254,46 @@ Contour makeContour(std::vector<Curve> closedChain) {
   return contour;
 }
 
-void sortContours(std::vector<Contour>& contours) {
-  if (contours.size() > 1) {
-    sortByPlace(contours);
-    turnCutOuts(contours);
+void takeOutCopies(std::vector<Contour>& contours, base::Problems& repairs) {
+  if (contours.size() < 2) {
+    return;
   }
+  NearIndex index(contours.size());
+  std::vector<Contour> kept;
+  for (Contour& contour : contours) {
+    const NearIndex::Numbers numbers = boxNumbers(contour);
+    const std::optional<std::size_t> copy =
+        index.find(numbers, [&](std::size_t other) { return areCopies(kept[other], contour); });
+    if (!copy) {
+      index.add(numbers);
+      kept.push_back(std::move(contour));
+      continue;
+    }
+    if (standsBefore(contour, kept[*copy])) {
+      std::swap(contour, kept[*copy]);
+    }
+    repairs.push_back(Problem(Code::DuplicateRemoved, {{"size_mm", geometry::totalLength(contour.curves)}})
+                          .at(middleOf(contour.curves)));
+  }
+  contours = std::move(kept);
+}
+
+void sortContours(std::vector<Contour>& contours) {
+  sortByPlace(contours);
   for (std::size_t i = 0; i < contours.size(); ++i) {
     contours[i].id = static_cast<int>(i) + 1;
+  }
+  if (contours.size() > 1) {
+    nest(contours);
   }
 }
 
 base::Problems checkContours(const std::vector<Contour>& contours) {
   base::Problems problems;
-  for (const Contour& contour : contours) {
-    const bool thereAndBack = contour.curves.size() == 2 && isSliver(contour);
-    const std::vector<Point> crossings =
-        thereAndBack ? std::vector<Point>() : selfCrossings(contour.curves, CurveTree(contour.curves));
-    for (const Point& place : crossings) {
-      problems.push_back(Problem(Code::ContourCrossesItself).at(place).ofContour(contour.id));
-    }
-    if (crossings.empty() && isSliver(contour)) {
-      problems.push_back(
-          Problem(Code::ContourDegenerate).at(geometry::startPoint(contour.curves.front())).ofContour(contour.id));
-    }
-  }
-  if (contours.size() > 1) {
-    problems.push_back(Problem(Code::SeveralContours, {{"count", static_cast<std::int64_t>(contours.size())}})
-                           .at(geometry::startPoint(contours[1].curves.front()))
-                           .ofContour(contours[1].id));
+  const ContourIndex index(contours);
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    checkAlone(contours[i], index.trees[i], problems);
+    checkAgainstOthers(contours, i, index, problems);
   }
   return problems;
 }

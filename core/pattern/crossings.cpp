@@ -18,6 +18,9 @@ using geometry::Vector;
 /// More places than these help nobody.
 constexpr std::size_t kEnough = 5;
 
+/// Places nearer to each other than this are told once, mm: chains that run along each other touch everywhere.
+constexpr double kOnePlace = 1;
+
 /// Curves in one point to within this, mm.
 constexpr double kTouch = 1e-7;
 
@@ -134,6 +137,22 @@ std::vector<Point> selfCrossings(const std::vector<Curve>& chain, const CurveTre
     }
     if (place) {
       places.push_back(*place);
+    }
+    return places.size() < kEnough;
+  });
+  return places;
+}
+
+std::vector<Point> crossingsBetween(const std::vector<Curve>& a, const CurveTree& treeOfA, const std::vector<Curve>& b,
+                                    const CurveTree& treeOfB) {
+  std::vector<Point> places;
+  treeOfA.forPairsWith(treeOfB, base::kSamePlace, [&](std::size_t i, std::size_t j) {
+    if (geometry::distance(a[i], b[j], base::kSamePlace) < base::kSamePlace) {
+      const Point place = meetingPlace(a[i], b[j]);
+      const auto isNear = [&](const Point& told) { return (told - place).norm() < kOnePlace; };
+      if (std::none_of(places.begin(), places.end(), isNear)) {
+        places.push_back(place);
+      }
     }
     return places.size() < kEnough;
   });

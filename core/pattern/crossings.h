@@ -10,4 +10,10 @@ namespace arris::pattern {
 [[nodiscard]] std::vector<geometry::Point> selfCrossings(const std::vector<geometry::Curve>& chain,
                                                          const CurveTree& tree);
 
+/// The places where two closed chains cross or come nearer than `kSamePlace`; the first few are enough.
+[[nodiscard]] std::vector<geometry::Point> crossingsBetween(const std::vector<geometry::Curve>& a,
+                                                            const CurveTree& treeOfA,
+                                                            const std::vector<geometry::Curve>& b,
+                                                            const CurveTree& treeOfB);
+
 } // namespace arris::pattern

@@ -19,6 +19,12 @@ public:
     [[maybe_unused]] const bool finished = pairsWithin(kRoot, margin, visit);
   }
 
+  /// Calls `visit(i, j)` for all curves i of this chain and j of the other whose boxes come nearer than `margin`, until
+  /// it returns false.
+  template <typename Visit> void forPairsWith(const CurveTree& other, double margin, Visit visit) const {
+    [[maybe_unused]] const bool finished = pairsAcross(kRoot, other, kRoot, margin, visit);
+  }
+
   /// Whether the chain goes round the point.
   [[nodiscard]] bool surrounds(const geometry::Point& point) const;
 
@@ -33,9 +39,8 @@ private:
     return node >= m_leaves;
   }
 
-  [[nodiscard]] bool apart(std::size_t a, std::size_t b, double margin) const {
-    return m_boxes[a].isEmpty() || m_boxes[b].isEmpty() ||
-           m_boxes[a].squaredExteriorDistance(m_boxes[b]) > margin * margin;
+  static bool apart(const geometry::Box& a, const geometry::Box& b, double margin) {
+    return a.isEmpty() || b.isEmpty() || a.squaredExteriorDistance(b) > margin * margin;
   }
 
   template <typename Visit> bool pairsWithin(std::size_t node, double margin, Visit& visit) const {
@@ -48,7 +53,7 @@ private:
 
   // Both nodes are on the same level, `a` before `b`.
   template <typename Visit> bool pairsBetween(std::size_t a, std::size_t b, double margin, Visit& visit) const {
-    if (apart(a, b, margin)) {
+    if (apart(m_boxes[a], m_boxes[b], margin)) {
       return true;
     }
     if (isLeaf(a)) {
@@ -56,6 +61,21 @@ private:
     }
     return pairsBetween(2 * a, 2 * b, margin, visit) && pairsBetween(2 * a, 2 * b + 1, margin, visit) &&
            pairsBetween(2 * a + 1, 2 * b, margin, visit) && pairsBetween(2 * a + 1, 2 * b + 1, margin, visit);
+  }
+
+  // The larger of the two nodes is divided first.
+  template <typename Visit>
+  bool pairsAcross(std::size_t a, const CurveTree& other, std::size_t b, double margin, Visit& visit) const {
+    if (apart(m_boxes[a], other.m_boxes[b], margin)) {
+      return true;
+    }
+    if (isLeaf(a) && other.isLeaf(b)) {
+      return visit(a - m_leaves, b - other.m_leaves);
+    }
+    const bool divideOther =
+        isLeaf(a) || (!other.isLeaf(b) && other.m_boxes[b].sizes().sum() > m_boxes[a].sizes().sum());
+    return divideOther ? pairsAcross(a, other, 2 * b, margin, visit) && pairsAcross(a, other, 2 * b + 1, margin, visit)
+                       : pairsAcross(2 * a, other, b, margin, visit) && pairsAcross(2 * a + 1, other, b, margin, visit);
   }
 
   [[nodiscard]] int crossings(std::size_t node, const geometry::Point& point) const;

@@ -3,6 +3,7 @@
 #include "core/base/numbers.h"
 #include "core/base/tolerances.h"
 #include "core/pattern/clean_pieces.h"
+#include "core/pattern/course.h"
 #include "core/pattern/match_ends.h"
 
 #include <algorithm>
@@ -25,9 +26,13 @@ constexpr double kFullSweep = 1e-12;
 /// An arc that sweeps more than this keeps its radius when its ends move, rad: its short chord says little about it.
 constexpr double kMostSweepOnChord = 1.5 * kPi;
 
+/// The ends of a closed piece lie in one place to the rounding of the file, mm.
+constexpr double kSameEnd = 1e-4;
+
 /// A piece in the direction of its chain, and where its ends come to lie.
 struct Link {
-  Curve curve;
+  Chain piece;
+  bool backwards = false;
   Point from;
   Point to;
 };
@@ -35,7 +40,7 @@ struct Link {
 /// Walks from piece to piece along the joints.
 class ChainWalk {
 public:
-  ChainWalk(const std::vector<Curve>& pieces, const Matches& matches)
+  ChainWalk(const Pieces& pieces, const Matches& matches)
       : m_pieces(pieces), m_matches(matches), m_visited(pieces.size(), false) {}
 
   /// The chain that begins at `start`, up to a free end or once round; empty where it was walked before.
@@ -44,23 +49,21 @@ public:
     for (EndId end = start; end != kNoEnd && !m_visited[pieceOf(end)];) {
       m_visited[pieceOf(end)] = true;
       const EndId exit = otherEnd(end);
-      const Curve& piece = m_pieces[pieceOf(end)];
-      chain.push_back(
-          {isStart(end) ? piece : geometry::reversed(piece), m_matches.joints[end], m_matches.joints[exit]});
+      chain.push_back({m_pieces[pieceOf(end)], !isStart(end), m_matches.joints[end], m_matches.joints[exit]});
       end = m_matches.partner[exit];
     }
     return chain;
   }
 
 private:
-  const std::vector<Curve>& m_pieces;
+  const Pieces& m_pieces;
   const Matches& m_matches;
   std::vector<bool> m_visited;
 };
 
 bool hasCollapsed(const Link& link) {
-  const auto* line = std::get_if<Line>(&link.curve);
-  return line && (link.to - link.from).norm() < base::kZeroLength;
+  return link.piece.size() == 1 && std::holds_alternative<Line>(link.piece.front()) &&
+         (link.to - link.from).norm() < base::kZeroLength;
 }
 
 // Closing gaps can leave a short line between them without length: its neighbours meet then.
@@ -81,38 +84,80 @@ void dropCollapsed(std::vector<Link>& chain, bool closed) {
   chain = std::move(kept);
 }
 
+void appendPiece(const Link& link, std::vector<Curve>& curves) {
+  const std::size_t first = curves.size();
+  curves.insert(curves.end(), link.piece.begin(), link.piece.end());
+  if (link.backwards) {
+    std::reverse(curves.begin() + static_cast<std::ptrdiff_t>(first), curves.end());
+    std::transform(curves.begin() + static_cast<std::ptrdiff_t>(first), curves.end(),
+                   curves.begin() + static_cast<std::ptrdiff_t>(first), geometry::reversed);
+  }
+  if (link.piece.size() == 1) {
+    curves.back() = withEnds(curves.back(), link.from, link.to);
+  } else {
+    curves[first] = withEnds(curves[first], link.from, geometry::endPoint(curves[first]));
+    curves.back() = withEnds(curves.back(), geometry::startPoint(curves.back()), link.to);
+  }
+}
+
 std::vector<Curve> curvesOf(const std::vector<Link>& chain) {
   std::vector<Curve> curves;
   curves.reserve(chain.size());
   for (const Link& link : chain) {
-    curves.push_back(withEnds(link.curve, link.from, link.to));
+    appendPiece(link, curves);
   }
   return curves;
 }
 
 // A closed chain of one curve is an arc that closes on itself, or a line whose ends met.
-void addClosed(const std::vector<Link>& chain, Chains& chains) {
+void addClosed(const std::vector<Link>& links, Chains& chains) {
+  std::vector<Curve> chain = curvesOf(links);
   if (chain.size() > 1) {
-    chains.closed.push_back(curvesOf(chain));
-  } else if (const auto* arc = std::get_if<Arc>(&chain.front().curve); arc && std::abs(arc->sweep()) > kPi) {
+    chains.closed.push_back(std::move(chain));
+    return;
+  }
+  const Curve& only = links.front().piece.front();
+  if (const auto* arc = std::get_if<Arc>(&only); arc && std::abs(arc->sweep()) > kPi) {
     chains.closed.push_back({fullCircle(*arc)});
   } else {
-    chains.repairs.push_back(Problem(Code::ZeroLengthRemoved, {{"size_mm", geometry::arcLength(chain.front().curve)}})
-                                 .at(chain.front().from));
+    chains.repairs.push_back(
+        Problem(Code::ZeroLengthRemoved, {{"size_mm", geometry::arcLength(only)}}).at(links.front().from));
   }
 }
 
-// Full circles are closed already and take no part in the joining.
-void takeOutCircles(std::vector<Curve>& pieces, Chains& chains) {
-  const auto isCircle = [&chains](const Curve& piece) {
-    const auto* arc = std::get_if<Arc>(&piece);
-    if (!arc || std::abs(arc->sweep()) < 2 * kPi - kFullSweep) {
-      return false;
+bool isClosed(Chain piece) {
+  if (piece.size() > 1) {
+    return (geometry::endPoint(piece.back()) - geometry::startPoint(piece.front())).norm() <= kSameEnd;
+  }
+  const auto* arc = std::get_if<Arc>(&piece.front());
+  return arc && std::abs(arc->sweep()) >= 2 * kPi - kFullSweep;
+}
+
+std::vector<Curve> closedChain(Chain piece) {
+  if (piece.size() == 1) {
+    return {fullCircle(std::get<Arc>(piece.front()))};
+  }
+  std::vector<Curve> chain(piece.begin(), piece.end());
+  chain.back() = withEnds(chain.back(), geometry::startPoint(chain.back()), geometry::startPoint(chain.front()));
+  return chain;
+}
+
+// Closed pieces take no part in the joining.
+Pieces takeOutClosed(Pieces pieces, Chains& chains) {
+  Pieces open;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (isClosed(pieces[i])) {
+      if (chains.closed.empty()) {
+        for (std::size_t k = 0; k < i; ++k) {
+          open.add(pieces[k]);
+        }
+      }
+      chains.closed.push_back(closedChain(pieces[i]));
+    } else if (!chains.closed.empty()) {
+      open.add(pieces[i]);
     }
-    chains.closed.push_back({fullCircle(*arc)});
-    return true;
-  };
-  pieces.erase(std::remove_if(pieces.begin(), pieces.end(), isCircle), pieces.end());
+  }
+  return chains.closed.empty() ? std::move(pieces) : open;
 }
 
 } // namespace
@@ -137,11 +182,11 @@ Curve withEnds(const Curve& lineOrArc, const Point& from, const Point& to) {
   return geometry::arcBetween(from, to, std::copysign(2 * kPi - missing, sweep));
 }
 
-Chains chainPieces(std::vector<Curve> pieces, double gap) {
+Chains chainPieces(Pieces pieces, double gap) {
   Chains chains;
   pieces = withoutDuplicates(withoutZeroLength(std::move(pieces), chains.repairs), chains.repairs);
-  takeOutCircles(pieces, chains);
-  Matches matches = matchEnds(pieces, gap);
+  pieces = takeOutClosed(std::move(pieces), chains);
+  Matches matches = matchEnds(pieces, chains.closed, gap);
   chains.repairs.insert(chains.repairs.end(), matches.repairs.begin(), matches.repairs.end());
   chains.problems = std::move(matches.problems);
   ChainWalk walk(pieces, matches);

@@ -2,6 +2,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/tolerances.h"
+#include "core/pattern/course.h"
 
 #include <queue>
 
@@ -32,6 +33,9 @@ constexpr double kRounding = 1e-4;
 
 /// An arc may close on itself from this sweep on, rad; a shorter piece never does.
 constexpr double kClosingSweep = base::kPi;
+
+/// A piece of several curves may close on itself where it is this many times longer than its ends are apart.
+constexpr double kClosingLength = 10;
 
 using TreePoint = bg::model::point<double, 2, bg::cs::cartesian>;
 using TreeEntry = std::pair<TreePoint, EndId>;
@@ -91,21 +95,59 @@ private:
   std::vector<EndId> m_next;
 };
 
-std::vector<Point> endsOf(const std::vector<Curve>& pieces) {
+std::vector<Point> endsOf(const Pieces& pieces) {
   const Point positiveZero = Point::Zero(); // −0 + 0 = 0: the same place has the same bits
   std::vector<Point> ends;
   ends.reserve(2 * pieces.size());
-  for (const Curve& piece : pieces) {
-    ends.emplace_back(geometry::startPoint(piece) + positiveZero);
-    ends.emplace_back(geometry::endPoint(piece) + positiveZero);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    ends.emplace_back(geometry::startPoint(pieces[i].front()) + positiveZero);
+    ends.emplace_back(geometry::endPoint(pieces[i].back()) + positiveZero);
   }
   return ends;
 }
 
+/// Every curve of a drawing by its place, to find what lies under a point.
+class CurvesByPlace {
+public:
+  CurvesByPlace(const Pieces& pieces, const std::vector<std::vector<Curve>>& closed) {
+    std::vector<BoxEntry> entries;
+    const auto add = [&](Chain chain, std::size_t piece) {
+      for (const Curve& curve : chain) {
+        const geometry::Box box = geometry::bounds(curve);
+        entries.push_back({{treePoint(box.min()), treePoint(box.max())}, {&curve, piece}});
+      }
+    };
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      add(pieces[i], i);
+    }
+    for (const std::vector<Curve>& chain : closed) {
+      add(chain, kNoPiece);
+    }
+    m_tree = BoxTree(entries);
+  }
+
+  /// Whether a curve of another piece than this passes within `reach` of the point.
+  [[nodiscard]] bool passes(const Point& point, double reach, std::size_t exceptPiece) const {
+    const Point corner = Point::Constant(reach);
+    const bg::model::box<TreePoint> box(treePoint(point - corner), treePoint(point + corner));
+    const auto near = [&](const BoxEntry& e) {
+      return e.second.second != exceptPiece && geometry::nearest(*e.second.first, point).distance <= reach;
+    };
+    return m_tree.qbegin(bgi::intersects(box) && bgi::satisfies(near)) != m_tree.qend();
+  }
+
+private:
+  static constexpr std::size_t kNoPiece = ~std::size_t{0};
+  using BoxEntry = std::pair<bg::model::box<TreePoint>, std::pair<const Curve*, std::size_t>>;
+  using BoxTree = bgi::rtree<BoxEntry, bgi::quadratic<16>>;
+
+  BoxTree m_tree;
+};
+
 class Matcher {
 public:
-  Matcher(const std::vector<Curve>& pieces, double gap)
-      : m_pieces(pieces), m_gap(gap), m_ends(endsOf(pieces)), m_branching(m_ends.size(), false) {
+  Matcher(const Pieces& pieces, const std::vector<std::vector<Curve>>& closed, double gap)
+      : m_pieces(pieces), m_closed(closed), m_gap(gap), m_ends(endsOf(pieces)), m_branching(m_ends.size(), false) {
     m_result.partner.assign(m_ends.size(), kNoEnd);
     m_result.joints = m_ends;
   }
@@ -116,6 +158,7 @@ public:
     const std::vector<EndId> free = freeEnds(Branching::With);
     if (!free.empty()) {
       findBranches(free);
+      findEndsOnPieces(free);
       tellFree(free);
     }
     return std::move(m_result);
@@ -146,7 +189,11 @@ private:
     if (pieceOf(a) != pieceOf(b)) {
       return true;
     }
-    const auto* arc = std::get_if<Arc>(&m_pieces[pieceOf(a)]);
+    const Chain piece = m_pieces[pieceOf(a)];
+    if (piece.size() > 1) {
+      return lengthOf(piece) > kClosingLength * (m_ends[a] - m_ends[b]).norm();
+    }
+    const auto* arc = std::get_if<Arc>(&piece.front());
     return arc && std::abs(arc->sweep()) > kClosingSweep;
   }
 
@@ -228,7 +275,7 @@ private:
     }
     const Tree tree(entries);
     for (const EndId end : free) {
-      const double reach = std::min(m_gap, geometry::parameterLength(m_pieces[pieceOf(end)]) / 2);
+      const double reach = reachOf(end);
       const Point corner = Point::Constant(reach);
       const bg::model::box<TreePoint> box(treePoint(m_ends[end] - corner), treePoint(m_ends[end] + corner));
       const auto other = [&](const TreeEntry& e) {
@@ -246,6 +293,21 @@ private:
         tellBranch(end, others + 1);
       }
       m_branching[end] = m_branching[end] || others >= 2;
+    }
+  }
+
+  [[nodiscard]] double reachOf(EndId end) const {
+    return std::min(m_gap, lengthOf(m_pieces[pieceOf(end)]) / 2);
+  }
+
+  /// What is left may end on a piece between that one's ends.
+  void findEndsOnPieces(const std::vector<EndId>& free) {
+    const CurvesByPlace curves(m_pieces, m_closed);
+    for (const EndId end : free) {
+      if (!m_branching[end] && curves.passes(m_ends[end], reachOf(end), pieceOf(end))) {
+        m_branching[end] = true;
+        m_result.problems.push_back(Problem(Code::EndOnPiece).at(m_ends[end]));
+      }
     }
   }
 
@@ -269,7 +331,7 @@ private:
     };
     forNearestPairs(free, std::numeric_limits<double>::infinity(), tell);
     for (const EndId end : free) {
-      if (!told[end]) {
+      if (!told[end] && !m_branching[otherEnd(end)]) {
         const double length = (m_ends[end] - m_ends[otherEnd(end)]).norm();
         m_result.problems.push_back(Problem(Code::StrayPiece, {{"length_mm", length}}).at(m_ends[end]));
         told[end] = told[otherEnd(end)] = true;
@@ -277,7 +339,8 @@ private:
     }
   }
 
-  const std::vector<Curve>& m_pieces;
+  const Pieces& m_pieces;
+  const std::vector<std::vector<Curve>>& m_closed;
   double m_gap;
   std::vector<Point> m_ends;
   std::vector<bool> m_branching;
@@ -286,8 +349,8 @@ private:
 
 } // namespace
 
-Matches matchEnds(const std::vector<Curve>& pieces, double gap) {
-  return Matcher(pieces, gap).match();
+Matches matchEnds(const Pieces& pieces, const std::vector<std::vector<Curve>>& closed, double gap) {
+  return Matcher(pieces, closed, gap).match();
 }
 
 } // namespace arris::pattern

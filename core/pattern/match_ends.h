@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/problem.h"
-#include "core/geometry/curve.h"
+#include "core/pattern/pieces.h"
 
 #include <cstdint>
 #include <vector>
@@ -35,7 +35,9 @@ struct Matches {
 
 /// Joins the ends of pieces (none without length, none closed in itself) that are at most `gap` apart, nearest first;
 /// ties are decided by coordinates, never by the order of the pieces. Where three or more ends lie in one point, none
-/// of them is joined. Cost grows as n log n.
-[[nodiscard]] Matches matchEnds(const std::vector<geometry::Curve>& pieces, double gap);
+/// of them is joined; an end that stays free on a piece or on one of the `closed` chains is told as such. Cost grows as
+/// n log n.
+[[nodiscard]] Matches matchEnds(const Pieces& pieces, const std::vector<std::vector<geometry::Curve>>& closed,
+                                double gap);
 
 } // namespace arris::pattern

@@ -51,7 +51,7 @@ Pattern readInventory(const Inventory& inventory, const ImportOptions& options) 
   ReadEntities read = readEntities(selection.entities, scale);
   append(selection.problems, read.problems);
 
-  Pattern pattern = joinPieces(std::move(read.pieces), options.gap);
+  Pattern pattern = joinPieces(Pieces(std::move(read.pieces)), options.gap, options.smooth);
   pattern.units = units.units;
   pattern.unitsFrom = units.from;
   pattern.entities = std::move(selection.counts);
@@ -86,7 +86,7 @@ Pattern readDxf(std::string_view text, const ImportOptions& options) {
   }
 }
 
-Pattern joinPieces(std::vector<Curve> pieces, double gap) {
+Pattern joinPieces(Pieces pieces, double gap, [[maybe_unused]] double smooth) {
   Chains chains = chainPieces(std::move(pieces), gap);
   Pattern pattern;
   pattern.loose = std::move(chains.loose);
@@ -95,6 +95,7 @@ Pattern joinPieces(std::vector<Curve> pieces, double gap) {
   for (std::vector<Curve>& chain : chains.closed) {
     pattern.contours.push_back(makeContour(std::move(chain)));
   }
+  takeOutCopies(pattern.contours, pattern.repairs);
   sortContours(pattern.contours);
   if (pattern.contours.empty() && pattern.problems.empty()) {
     pattern.problems.emplace_back(Code::NoContour);

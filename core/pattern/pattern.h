@@ -2,6 +2,7 @@
 
 #include "core/base/problem.h"
 #include "core/geometry/curve.h"
+#include "core/pattern/pieces.h"
 #include "core/recipe/recipe.h"
 
 #include <map>
@@ -57,8 +58,9 @@ struct ImportOptions {
 /// Reads a DXF drawing from memory. Never throws, whatever the text; cost grows as n log n.
 [[nodiscard]] Pattern readDxf(std::string_view text, const ImportOptions& options);
 
-/// Closed contours from pieces in any order and direction: the steps behind the reader. mm.
-[[nodiscard]] Pattern joinPieces(std::vector<geometry::Curve> pieces, double gap);
+/// Closed contours from pieces in any order and direction: the steps behind the reader. mm; `gap` and `smooth` as in
+/// the options.
+[[nodiscard]] Pattern joinPieces(Pieces pieces, double gap, double smooth);
 
 [[nodiscard]] std::string_view name(recipe::Units units);
 [[nodiscard]] double millimetresPer(recipe::Units units);

@@ -14,58 +14,95 @@ using geometry::Curve;
 using geometry::Point;
 using geometry::Vector;
 
-/// Walks round a compensated contour and notes the wheel path.
-class Tracer {
-public:
-  Tracer(const CompensatedContour& contour, std::vector<Corner>& corners)
-      : m_contour(contour), m_corners(corners), m_ids(contour.joints.size(), 0) {
-    m_chain.contour = contour.contour;
-  }
-
-  void edge(std::size_t index, double from, double to) {
-    const Edge& edge = m_contour.edges[index];
-    const double length = geometry::parameterLength(edge.contour);
-    const double scale = geometry::parameterLength(edge.path) / length;
-    if (to - from < base::kZeroLength) {
-      return;
-    }
-    const bool whole = from <= 0 && to >= length;
-    m_chain.segments.push_back(
-        {whole ? edge.path : geometry::part(edge.path, from * scale, to * scale), Role::Contour, 0, 0});
-  }
-
-  void joint(std::size_t index) {
-    const Joint& joint = m_contour.joints[index];
-    if (!joint.path) {
-      return;
-    }
-    if (m_ids[index] == 0) {
-      m_corners.push_back(*joint.corner);
-      m_ids[index] = m_corners.back().id = static_cast<int>(m_corners.size());
-    }
-    const bool rolls = joint.corner->treatment == Treatment::Roll;
-    m_chain.segments.push_back(
-        {*joint.path, rolls ? Role::Roll : Role::Transition, m_ids[index], rolls ? 0 : joint.corner->transitionSpeed});
-  }
-
-  Chain take() {
-    return std::move(m_chain);
-  }
-
-private:
-  const CompensatedContour& m_contour;
-  std::vector<Corner>& m_corners;
-  std::vector<int> m_ids; ///< of the corner at each joint, once it has one
-  Chain m_chain;
-};
-
-double contourLength(const CompensatedContour& contour) {
+double groundLength(const WheelLoop& loop) {
   double sum = 0;
-  for (const Edge& edge : contour.edges) {
-    sum += geometry::parameterLength(edge.contour);
+  for (const Step& step : loop.steps) {
+    sum += step.ground.to - step.ground.from;
   }
   return sum;
 }
+
+double pathLength(const WheelLoop& loop) {
+  double sum = 0;
+  for (const Step& step : loop.steps) {
+    sum += geometry::parameterLength(step.path);
+  }
+  return sum;
+}
+
+/// How the overlap is measured: along the glass, or along the path where the wheel touches nothing but corners.
+double measured(const WheelLoop& loop) {
+  const double ground = groundLength(loop);
+  return ground > 0 ? ground : pathLength(loop);
+}
+
+/// Walks round a loop and notes the wheel path.
+class Tracer {
+public:
+  explicit Tracer(const WheelLoop& loop)
+      : m_loop(loop), m_onGlass(groundLength(loop) > 0), m_ids(loop.corners.size(), 0) {}
+
+  /// The part of a step from λ = `from` to `to` of its path, with the kink at its end where that belongs to it.
+  void step(std::size_t index, double from, double to) {
+    const Step& step = m_loop.steps[index];
+    const bool reachesEnd = to >= geometry::parameterLength(step.path);
+    const int stopCorner = reachesEnd && step.stopAtEnd ? idOf(step.stopCorner) : 0;
+    if (to - from < base::kZeroLength) {
+      stopEarlier(reachesEnd && step.stopAtEnd, stopCorner);
+      return;
+    }
+    PathSegment segment{from <= 0 && reachesEnd ? step.path : geometry::part(step.path, from, to), step.role};
+    segment.corner = idOf(step.corner);
+    if (step.role == Role::Transition) {
+      segment.speedCap = m_loop.corners[static_cast<std::size_t>(step.corner)].transitionSpeed;
+    }
+    segment.stopAtEnd = reachesEnd && step.stopAtEnd;
+    segment.stopCorner = stopCorner;
+    m_result.chain.segments.push_back(segment);
+    m_result.lastEdge = step.edge;
+  }
+
+  /// How much of the overlap a step takes, mm.
+  [[nodiscard]] double share(std::size_t index) const {
+    const Step& step = m_loop.steps[index];
+    return m_onGlass ? step.ground.to - step.ground.from : geometry::parameterLength(step.path);
+  }
+
+  Traced take() {
+    for (base::Problem problem : m_loop.problems) {
+      problem.corner = problem.corner ? std::optional(idOf(*problem.corner)) : std::nullopt;
+      m_result.problems.push_back(std::move(problem));
+    }
+    return std::move(m_result);
+  }
+
+private:
+  /// The number of a corner, given where it is met first.
+  int idOf(int corner) {
+    if (corner == kNoCorner) {
+      return 0;
+    }
+    int& id = m_ids[static_cast<std::size_t>(corner)];
+    if (id == 0) {
+      m_result.corners.push_back(m_loop.corners[static_cast<std::size_t>(corner)]);
+      id = m_result.corners.back().id = static_cast<int>(m_result.corners.size());
+    }
+    return id;
+  }
+
+  // The kink behind a step without length comes at the end of the step before.
+  void stopEarlier(bool stops, int corner) {
+    if (stops && !m_result.chain.segments.empty()) {
+      m_result.chain.segments.back().stopAtEnd = true;
+      m_result.chain.segments.back().stopCorner = corner;
+    }
+  }
+
+  const WheelLoop& m_loop;
+  bool m_onGlass;
+  std::vector<int> m_ids;
+  Traced m_result;
+};
 
 // Where the free space curves towards the wheel with less than twice the lead's radius, half of that radius fits.
 double leadRadius(const Curve& path, double side, double lead) {
@@ -76,35 +113,34 @@ double leadRadius(const Curve& path, double side, double lead) {
 
 } // namespace
 
-Chain traceContour(const CompensatedContour& contour, const StartPoint& start, double overlap,
-                   std::vector<Corner>& corners) {
-  const std::size_t count = contour.edges.size();
-  const auto lengthOf = [&](std::size_t index) { return geometry::parameterLength(contour.edges[index].contour); };
-  Tracer tracer(contour, corners);
-  tracer.edge(start.edge, start.along, lengthOf(start.edge));
+Traced traceLoop(const Glass& glass, const WheelLoop& loop, const StartPoint& start, double overlap) {
+  const std::size_t count = loop.steps.size();
+  const auto lengthOf = [&](std::size_t index) { return geometry::parameterLength(loop.steps[index].path); };
+  Tracer tracer(loop);
+  tracer.step(start.step, start.along, lengthOf(start.step));
   for (std::size_t i = 1; i < count; ++i) {
-    tracer.joint((start.edge + i - 1) % count);
-    tracer.edge((start.edge + i) % count, 0, lengthOf((start.edge + i) % count));
+    tracer.step((start.step + i) % count, 0, lengthOf((start.step + i) % count));
   }
-  tracer.joint((start.edge + count - 1) % count);
-  // From here over the start point and on, measured along the contour from the beginning of the start's edge.
-  double left = start.along + overlap;
-  for (std::size_t i = start.edge; left > 0; i = (i + 1) % count) {
-    tracer.edge(i, 0, std::min(left, lengthOf(i)));
-    left -= lengthOf(i);
-    if (left > base::kZeroLength) {
-      tracer.joint(i);
-    }
+  // From here over the start point and on, measured from the beginning of the start's step.
+  double left = overlap + tracer.share(start.step) * start.along / lengthOf(start.step);
+  for (std::size_t i = start.step; left > base::kZeroLength; i = (i + 1) % count) {
+    const double share = tracer.share(i);
+    tracer.step(i, 0, left < share ? lengthOf(i) * left / share : lengthOf(i));
+    left -= share;
   }
-  return tracer.take();
+  Traced result = tracer.take();
+  result.chain.contour = glass.ringOf(loop.steps[start.step].edge).contour;
+  result.chain.segments.back().stopAtEnd = false; // leads follow, or the wheel stops anyway
+  result.chain.segments.back().stopCorner = 0;
+  return result;
 }
 
-double overlapOn(const CompensatedContour& contour, const recipe::Recipe& recipe, base::Problems& problems) {
-  const double quarter = contourLength(contour) / 4;
+double overlapOn(const WheelLoop& loop, int contour, const recipe::Recipe& recipe, base::Problems& problems) {
+  const double quarter = measured(loop) / 4;
   if (recipe.overlap > quarter) {
     problems.push_back(
         base::Problem(base::Code::OverlapShortened, {{"used_mm", quarter}, {"wanted_mm", recipe.overlap}})
-            .ofContour(contour.contour));
+            .ofContour(contour));
   }
   return std::min(recipe.overlap, quarter);
 }
@@ -123,8 +159,8 @@ void addLeads(Chain& chain, const recipe::Recipe& recipe) {
   }();
   const Curve& last = chain.segments.back().shape;
   const Arc out = quarter(last, geometry::endPoint(last), geometry::endTangent(last));
-  chain.segments.insert(chain.segments.begin(), {geometry::reversed(backwards), Role::LeadIn, 0, 0});
-  chain.segments.push_back({out, Role::LeadOut, 0, 0});
+  chain.segments.insert(chain.segments.begin(), PathSegment{geometry::reversed(backwards), Role::LeadIn});
+  chain.segments.push_back(PathSegment{out, Role::LeadOut});
 }
 
 } // namespace arris::toolpath

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace arris::toolpath {
 namespace {
@@ -23,13 +24,23 @@ double leastY(const Curve& circle) {
   return geometry::nearest(circle, arc.center() - Point(0, arc.radius())).lambda;
 }
 
-/// A stretch of wheel path that may hold the start: better ones come first.
+/// What a stretch of wheel path is worth as the place of the start: lines along the contour, then arcs along it, then
+/// whatever there is where the wheel touches nothing but corners.
+enum class Worth { Corner, Arc, Line };
+
 struct Candidate {
-  bool isLine = false;
+  Worth worth = Worth::Corner;
   double length = 0;
   Point middle;
   StartPoint start;
 };
+
+Worth worthOf(const Step& step) {
+  if (step.role != Role::Contour) {
+    return Worth::Corner;
+  }
+  return std::holds_alternative<Line>(step.path) ? Worth::Line : Worth::Arc;
+}
 
 bool lower(const Point& a, const Point& b) {
   if (std::abs(a.y() - b.y()) > base::kSamePlace) {
@@ -38,29 +49,31 @@ bool lower(const Point& a, const Point& b) {
   return a.x() < b.x();
 }
 
-Candidate candidate(const CompensatedContour& contour, std::size_t edge) {
-  const Edge& e = contour.edges[edge];
-  const double onPath = isFullCircle(e.path) ? leastY(e.path) : geometry::parameterLength(e.path) / 2;
-  const double scale = geometry::parameterLength(e.contour) / geometry::parameterLength(e.path);
-  return {std::holds_alternative<Line>(e.path),
-          geometry::parameterLength(e.path),
-          geometry::pointAt(e.path, onPath),
-          {edge, onPath * scale}};
+Candidate candidate(const WheelLoop& loop, std::size_t index) {
+  const Step& step = loop.steps[index];
+  const double length = geometry::parameterLength(step.path);
+  const double along = isFullCircle(step.path) ? leastY(step.path) : length / 2;
+  return {worthOf(step), step.role == Role::Transition ? 0 : length, geometry::pointAt(step.path, along),
+          {index, along}};
 }
 
-StartPoint longestEdge(const CompensatedContour& contour) {
+} // namespace
+
+StartPoint chooseStart(const WheelLoop& loop) {
   std::vector<Candidate> candidates;
-  for (std::size_t i = 0; i < contour.edges.size(); ++i) {
-    candidates.push_back(candidate(contour, i));
+  candidates.reserve(loop.steps.size());
+  Worth worth = Worth::Corner;
+  for (std::size_t i = 0; i < loop.steps.size(); ++i) {
+    candidates.push_back(candidate(loop, i));
+    worth = std::max(worth, candidates.back().worth);
   }
-  const bool anyLine = std::any_of(candidates.begin(), candidates.end(), [](const Candidate& c) { return c.isLine; });
   double longest = 0;
   for (const Candidate& c : candidates) {
-    longest = c.isLine == anyLine ? std::max(longest, c.length) : longest;
+    longest = c.worth == worth ? std::max(longest, c.length) : longest;
   }
   std::optional<Candidate> best;
   for (const Candidate& c : candidates) {
-    const bool eligible = c.isLine == anyLine && c.length >= longest - base::kSamePlace;
+    const bool eligible = c.worth == worth && c.length >= longest - base::kSamePlace;
     if (eligible && (!best || lower(c.middle, best->middle))) {
       best = c;
     }
@@ -68,27 +81,28 @@ StartPoint longestEdge(const CompensatedContour& contour) {
   return best ? best->start : StartPoint{};
 }
 
-// At a corner the edge after it is taken, from its beginning.
-StartPoint nearestTo(const CompensatedContour& contour, const Point& wanted) {
-  StartPoint best;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < contour.edges.size(); ++i) {
-    const Curve& edge = contour.edges[i].contour;
-    const geometry::Nearest found = geometry::nearest(edge, wanted);
-    if (found.distance < least) {
-      least = found.distance;
-      const bool atEnd = found.lambda >= geometry::parameterLength(edge) - base::kSamePlace;
-      best = atEnd ? StartPoint{(i + 1) % contour.edges.size(), 0} : StartPoint{i, found.lambda};
+NearestOnLoop nearestOnLoop(const Glass& glass, const WheelLoop& loop, const Point& wanted) {
+  NearestOnLoop best{{}, std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < loop.steps.size(); ++i) {
+    const Step& step = loop.steps[i];
+    if (step.role != Role::Contour || step.ground.to - step.ground.from < base::kZeroLength) {
+      continue;
     }
+    const Curve ground = geometry::part(glass.edges()[step.edge], step.ground.from, step.ground.to);
+    const geometry::Nearest found = geometry::nearest(ground, wanted);
+    if (found.distance >= best.distance) {
+      continue;
+    }
+    const double length = step.ground.to - step.ground.from;
+    const double along = found.lambda * geometry::parameterLength(step.path) / length;
+    const std::size_t following = (i + 1) % loop.steps.size();
+    const bool atEnd = found.lambda >= length - base::kSamePlace && loop.steps.size() > 1;
+    const bool cornerFollows = atEnd && loop.steps[following].role != Role::Contour;
+    const std::size_t after = cornerFollows ? (i + 2) % loop.steps.size() : following;
+    best.start = atEnd ? StartPoint{after, 0} : StartPoint{i, found.lambda < base::kSamePlace ? 0 : along};
+    best.distance = found.distance;
   }
-  best.along = best.along < base::kSamePlace ? 0 : best.along;
   return best;
-}
-
-} // namespace
-
-StartPoint chooseStart(const CompensatedContour& contour, const recipe::Recipe& recipe) {
-  return recipe.start ? nearestTo(contour, *recipe.start) : longestEdge(contour);
 }
 
 } // namespace arris::toolpath

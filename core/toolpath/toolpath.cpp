@@ -1,7 +1,13 @@
 #include "core/toolpath/toolpath.h"
 
 #include "core/base/numbers.h"
+#include "core/base/tolerances.h"
 #include "core/toolpath/chain.h"
+#include "core/toolpath/unreached.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace arris::toolpath {
 namespace {
@@ -9,63 +15,179 @@ namespace {
 using base::Code;
 using base::Problem;
 using base::Problems;
+using geometry::Point;
 
 /// A transition that takes longer than this is worth a warning, s.
 constexpr double kSlowCorner = 60;
+
+/// A tip more pointed than this is a mistake of the drawing, rad: the wheel would swing out by 570 radii.
+constexpr double kLeastAngle = base::radians(0.1);
 
 void append(Problems& problems, const Problems& more) {
   problems.insert(problems.end(), more.begin(), more.end());
 }
 
-Problems warnings(const Corner& corner, const recipe::Recipe& recipe) {
+Problems checkSpikes(const Glass& glass) {
   Problems problems;
-  if (corner.treatment != Treatment::Transition) {
-    return problems;
-  }
-  if (!corner.relief) {
-    problems.push_back(Problem(Code::NoRelief, {{"corner", std::int64_t{corner.id}},
-                                                {"lift_mm", corner.widest - recipe.wheelRadius},
-                                                {"depth_mm", corner.tipDepth}})
-                           .at(corner.s)
-                           .ofContour(corner.contour)
-                           .ofCorner(corner.id));
-  }
-  if (corner.blendTime > kSlowCorner) {
-    problems.push_back(Problem(Code::SlowCorner, {{"corner", std::int64_t{corner.id}}, {"time_s", corner.blendTime}})
-                           .at(corner.s)
-                           .ofContour(corner.contour)
-                           .ofCorner(corner.id));
+  for (EdgeId edge = 0; edge < glass.edges().size(); ++edge) {
+    const double angle = base::kPi - std::abs(glass.turnAfter(edge));
+    if (angle < kLeastAngle) {
+      problems.push_back(Problem(Code::SpikeInContour, {{"angle_deg", base::degrees(angle)}})
+                             .at(geometry::endPoint(glass.edges()[edge]))
+                             .ofContour(glass.ringOf(edge).contour));
+    }
   }
   return problems;
 }
 
+/// Puts the number of the corner first, so that the sentence can name it.
+Problem ofCorner(Code code, const Corner& corner, std::vector<base::Value> values) {
+  values.insert(values.begin(), {"corner", std::int64_t{corner.id}});
+  return Problem(code, std::move(values)).at(corner.s).ofContour(corner.contour).ofCorner(corner.id);
+}
+
+Problems warnings(const Corner& corner, const recipe::Recipe& recipe) {
+  Problems problems;
+  if (corner.kind == CornerKind::Concave && corner.fillet > base::kContourAccuracy) {
+    problems.push_back(ofCorner(Code::ConcaveFillet, corner,
+                                {{"fillet_mm", corner.fillet}, {"unground_mm", corner.unground}}));
+  }
+  if (corner.treatment != Treatment::Transition) {
+    return problems;
+  }
+  if (!corner.relief) {
+    problems.push_back(ofCorner(Code::NoRelief, corner,
+                                {{"lift_mm", corner.widest - recipe.wheelRadius}, {"depth_mm", corner.tipDepth}}));
+  }
+  if (corner.blendTime > kSlowCorner) {
+    problems.push_back(ofCorner(Code::SlowCorner, corner, {{"time_s", corner.blendTime}}));
+  }
+  return problems;
+}
+
+/// The loop on which a start that the recipe names lies.
+std::size_t loopOfStart(const Glass& glass, const std::vector<WheelLoop>& loops, const Point& wanted) {
+  std::size_t best = loops.size();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const double distance = nearestOnLoop(glass, loops[i], wanted).distance;
+    if (distance < least) {
+      least = distance;
+      best = i;
+    }
+  }
+  return best;
+}
+
+/// Makes chains of loops and puts them in order.
+class Builder {
+public:
+  Builder(const Glass& glass, const recipe::Recipe& recipe, Leads leads)
+      : m_glass(glass), m_recipe(recipe), m_leads(leads) {}
+
+  void addLoops(std::vector<WheelLoop> loops) {
+    const std::size_t withStart =
+        m_recipe.start ? loopOfStart(m_glass, loops, *m_recipe.start) : loops.size();
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      const StartPoint start =
+          i == withStart ? nearestOnLoop(m_glass, loops[i], *m_recipe.start).start : chooseStart(loops[i]);
+      addLoop(std::move(loops[i]), start);
+    }
+  }
+
+  [[nodiscard]] const std::vector<WheelLoop>& loops() const {
+    return m_loops;
+  }
+
+  Toolpath inOrder(const std::vector<pattern::Contour>& contours, const Point& park) {
+    std::vector<Chain> chains;
+    chains.reserve(m_traced.size());
+    for (Traced& traced : m_traced) {
+      chains.push_back(std::move(traced.chain));
+    }
+    Toolpath result;
+    for (const std::size_t i : orderOfChains(chains, contours, park)) {
+      addNumbered(std::move(chains[i]), m_traced[i], result);
+    }
+    return result;
+  }
+
+private:
+  // A loop that cannot be entered is left out where the recipe accepts that: then its edges stay unreached.
+  void addLoop(WheelLoop loop, const StartPoint& start) {
+    const EdgeId first = loop.steps[start.step].edge;
+    const int contour = m_glass.ringOf(first).contour;
+    Problems problems;
+    const double overlap = m_leads == Leads::With ? overlapOn(loop, contour, m_recipe, problems) : 0;
+    Traced traced = traceLoop(m_glass, loop, start, overlap);
+    if (m_leads == Leads::With) {
+      const EdgeId last = traced.lastEdge;
+      addLeads(traced.chain, m_recipe);
+      append(problems, checkLeads(traced.chain, first, last, m_glass, m_recipe));
+      if (m_recipe.acceptUnreached && base::hasErrors(problems)) {
+        return;
+      }
+    }
+    append(traced.problems, problems);
+    m_traced.push_back(std::move(traced));
+    m_loops.push_back(std::move(loop));
+  }
+
+  // Numbers within a chain become numbers within the program.
+  void addNumbered(Chain chain, const Traced& traced, Toolpath& toolpath) const {
+    const int before = static_cast<int>(toolpath.corners.size());
+    const auto shift = [before](int& number) { number += number > 0 ? before : 0; };
+    for (PathSegment& segment : chain.segments) {
+      shift(segment.corner);
+      shift(segment.stopCorner);
+    }
+    for (Problem problem : traced.problems) {
+      if (problem.corner) {
+        shift(*problem.corner);
+        problem.values.insert(problem.values.begin(), {"corner", std::int64_t{*problem.corner}});
+      }
+      toolpath.problems.push_back(std::move(problem));
+    }
+    for (Corner corner : traced.corners) {
+      shift(corner.id);
+      append(toolpath.problems, warnings(corner, m_recipe));
+      toolpath.corners.push_back(corner);
+    }
+    toolpath.chains.push_back(std::move(chain));
+  }
+
+  const Glass& m_glass;
+  const recipe::Recipe& m_recipe;
+  Leads m_leads;
+  std::vector<WheelLoop> m_loops;
+  std::vector<Traced> m_traced;
+};
+
 } // namespace
 
-Toolpath makeToolpath(const std::vector<pattern::Contour>& placed, const recipe::Recipe& recipe, Leads leads) {
-  Toolpath result;
-  std::vector<CompensatedContour> compensated;
-  compensated.reserve(placed.size());
-  for (const pattern::Contour& contour : placed) {
-    compensated.push_back(compensate(contour, recipe, result.problems));
+Toolpath makeToolpath(const std::vector<pattern::Contour>& placed, const recipe::Recipe& recipe, Leads leads,
+                      const Point& park) {
+  const Glass glass = glassOf(placed, recipe.direction);
+  if (Problems spikes = checkSpikes(glass); !spikes.empty()) {
+    Toolpath result;
+    result.problems = std::move(spikes);
+    return result;
   }
-  if (!base::hasErrors(result.problems)) { // offsets that meet at a corner would be found again here
-    append(result.problems, checkClearance(compensated, recipe));
+  const Offset offset = offsetOf(glass, recipe.wheelRadius);
+  std::vector<WheelLoop> loops;
+  for (const Loop& loop : offset.loops) {
+    loops.push_back(makeWheelLoop(glass, offset, loop, recipe));
   }
-  for (const CompensatedContour& contour : compensated) {
-    if (contour.edges.empty()) {
-      continue;
-    }
-    const StartPoint start = chooseStart(contour, recipe);
-    const double overlap = leads == Leads::With ? overlapOn(contour, recipe, result.problems) : 0;
-    Chain chain = traceContour(contour, start, overlap, result.corners);
-    if (leads == Leads::With && !base::hasErrors(result.problems)) {
-      addLeads(chain, recipe);
-      append(result.problems, checkLeads(chain, contour, start, compensated, recipe));
-    }
-    result.chains.push_back(std::move(chain));
-  }
-  for (const Corner& corner : result.corners) {
-    append(result.problems, warnings(corner, recipe));
+  Builder builder(glass, recipe, leads);
+  builder.addLoops(std::move(loops));
+  Unreached unreached = findUnreached(glass, builder.loops(), recipe);
+  Toolpath result = builder.inOrder(placed, park);
+  result.unground = std::move(unreached.unground);
+  append(result.problems, unreached.problems);
+  if (!offset.complete) {
+    result.problems.push_back(Problem(Code::NumericalFailure, {{"reason", "the wheel path could not be closed"}}));
+  } else if (result.chains.empty() && !base::hasErrors(result.problems)) {
+    result.problems.push_back(Problem(Code::NothingToGrind, {{"wheel_mm", recipe.wheelRadius}}));
   }
   return result;
 }

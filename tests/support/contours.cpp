@@ -20,6 +20,10 @@ std::vector<Curve> closedLines(const std::vector<Point>& corners) {
   return lines;
 }
 
+pattern::Pattern joined(std::vector<Curve> singles, double gap, double smooth) {
+  return pattern::joinPieces(pattern::Pieces(std::move(singles)), gap, smooth);
+}
+
 std::vector<base::Problem> problemsOf(const pattern::Pattern& pattern, base::Code code) {
   std::vector<base::Problem> found;
   std::copy_if(pattern.problems.begin(), pattern.problems.end(), std::back_inserter(found),

@@ -12,6 +12,9 @@ namespace arris::test {
 /// The closed chain of lines round these corners.
 [[nodiscard]] std::vector<geometry::Curve> closedLines(const std::vector<geometry::Point>& corners);
 
+/// Contours from lines and arcs that are each a piece of their own; `smooth` 0: as drawn.
+[[nodiscard]] pattern::Pattern joined(std::vector<geometry::Curve> singles, double gap, double smooth = 0);
+
 /// The problems of one code.
 [[nodiscard]] std::vector<base::Problem> problemsOf(const pattern::Pattern& pattern, base::Code code);
 

@@ -86,10 +86,16 @@ const std::vector<const char*>& problemTemplates() {
           "Problem",
           "A single piece, its ends {length_mm} mm apart, belongs to no contour; it may lie on top of another."),
       QT_TRANSLATE_NOOP("Problem", "{count} pieces meet here; a contour cannot branch."),
+      QT_TRANSLATE_NOOP("Problem", "A piece ends here on another one, between that one's ends; a contour cannot "
+                                   "branch. Remove one of them."),
       QT_TRANSLATE_NOOP("Problem", "The drawing has no closed contour."),
-      QT_TRANSLATE_NOOP("Problem", "The drawing has {count} contours; only a single outline can be ground yet."),
       QT_TRANSLATE_NOOP("Problem", "The contour encloses no area."),
       QT_TRANSLATE_NOOP("Problem", "The contour crosses or touches itself here."),
+      QT_TRANSLATE_NOOP("Problem",
+                        "Contours {first} and {second} cross or touch here; move them apart in the drawing."),
+      QT_TRANSLATE_NOOP("Problem",
+                        "The {count} joints from here on look like the chords of a curve but stay corners: they are "
+                        "joined from a smoothing tolerance of {needed_mm} mm on (now {tolerance_mm} mm)."),
       QT_TRANSLATE_NOOP("Problem",
                         "The contour has a concave corner of {angle_deg}° here; such corners cannot be ground yet."),
       QT_TRANSLATE_NOOP(

@@ -199,7 +199,7 @@ TEST(Report, OfAnImportTellsWhatWasFoundRepairedAndWrong) {
   pattern.layers = {{"0", {{"LINE", 3}}}, {"NOTES", {{"TEXT", 1}}}};
   pattern.repairs = {Problem(Code::GapClosed, {{"size_mm", 0.02}}).at({1, 2})};
   Problem tooSmall =
-      Problem(Code::InnerRadiusTooSmall, {{"wheel_mm", 75.0}, {"radius_mm", 20.0}}).at({-3.5, 4}).ofContour(1);
+      Problem(Code::Unreached, {{"wheel_mm", 75.0}, {"length_mm", 20.0}}).at({-3.5, 4}).ofContour(1);
   tooSmall.largestWheel = 20;
   pattern.problems = {Problem(Code::EntityNotSupported, {{"entity", "SPLINE"}}).onLine(123), tooSmall};
   const Json r = Json::parse(report(pattern, "pane.dxf"));

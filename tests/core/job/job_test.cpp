@@ -164,7 +164,7 @@ TEST(Travel, AMachineSlowerThanTheFeedIsNoted) {
 
 TEST(Plan, AnErrorOfThePatternStopsItButPlacesWhatIsThere) {
   pattern::Pattern pattern = test::polygon(kRectangle);
-  pattern.problems.push_back(base::Problem(Code::SeveralContours).at({100, 200}));
+  pattern.problems.push_back(base::Problem(Code::ContoursCross).at({100, 200}));
   const Job job = planJob(pattern, {}, {});
   EXPECT_FALSE(job.canBeGround());
   EXPECT_TRUE(job.pieces.empty());

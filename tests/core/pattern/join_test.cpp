@@ -46,13 +46,13 @@ double number(const base::Problem& problem, std::string_view name) {
 TEST(Join, MakesTheSameContourWhateverTheOrderAndTheDirection) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const std::vector<Curve> outline = test::randomPane(seed).pattern.contours[0].curves;
-    const Pattern expected = joinPieces(outline, kGap);
+    const Pattern expected = test::joined(outline, kGap);
     ASSERT_EQ(expected.contours.size(), 1U) << seed;
     EXPECT_TRUE(expected.problems.empty()) << seed;
     EXPECT_TRUE(expected.repairs.empty()) << seed;
     EXPECT_LT(test::farthest(outline, expected.contours[0].curves), 1e-6 + expected.contours[0].fitDeviation) << seed;
     for (std::uint64_t order = 0; order < 4; ++order) {
-      const Pattern found = joinPieces(test::shuffled(outline, order), kGap);
+      const Pattern found = test::joined(test::shuffled(outline, order), kGap);
       ASSERT_EQ(found.contours.size(), 1U) << seed;
       EXPECT_TRUE(test::areSame(found.contours[0].curves, expected.contours[0].curves, 1e-9)) << seed;
     }
@@ -62,7 +62,7 @@ TEST(Join, MakesTheSameContourWhateverTheOrderAndTheDirection) {
 TEST(Join, ClosesGapsInTheMiddleAndTellsThem) {
   std::vector<Curve> pieces = test::closedLines({{0, 0}, {100, 0}, {100, 50}, {0, 50}});
   pieces[1] = Line{{100.03, 0}, {100, 50}};
-  const Pattern pattern = joinPieces(test::shuffled(pieces, 1), kGap);
+  const Pattern pattern = test::joined(test::shuffled(pieces, 1), kGap);
   ASSERT_EQ(pattern.contours.size(), 1U);
   EXPECT_FALSE(base::hasErrors(pattern.problems));
   ASSERT_EQ(pattern.repairs.size(), 1U);
@@ -76,7 +76,7 @@ TEST(Join, ClosesGapsInTheMiddleAndTellsThem) {
 TEST(Join, AnArcKeepsItsSweepWhereItsEndMoves) {
   std::vector<Curve> pieces = stadium();
   pieces[0] = Line{{0, -0.02}, {100, -0.02}};
-  const Pattern pattern = joinPieces(pieces, kGap);
+  const Pattern pattern = test::joined(pieces, kGap);
   ASSERT_EQ(pattern.contours.size(), 1U);
   EXPECT_EQ(pattern.repairs.size(), 2U);
   EXPECT_LT(test::farthest(stadium(), pattern.contours[0].curves), 0.021);
@@ -93,13 +93,13 @@ TEST(Join, AnArcOfNearlyAFullCircleKeepsItsRadius) {
   const Curve ring = geometry::arcAbout({0, 0}, 100, half, 2 * kPi - 2 * half);
   const Point upper = geometry::startPoint(ring);
   const Point lower = geometry::endPoint(ring);
-  const Pattern pattern = joinPieces({ring, Line{lower + Vector(0, -0.02), upper}}, kGap);
+  const Pattern pattern = test::joined({ring, Line{lower + Vector(0, -0.02), upper}}, kGap);
   ASSERT_EQ(pattern.contours.size(), 1U);
   EXPECT_LT(test::farthest({ring}, pattern.contours[0].curves), 0.03);
 }
 
 TEST(Join, AnArcThatAllButClosesIsACircle) {
-  const Pattern pattern = joinPieces({geometry::arcAbout({5, 5}, 50, 1, 2 * kPi - 0.0004)}, kGap);
+  const Pattern pattern = test::joined({geometry::arcAbout({5, 5}, 50, 1, 2 * kPi - 0.0004)}, kGap);
   ASSERT_EQ(pattern.contours.size(), 1U);
   ASSERT_EQ(pattern.contours[0].curves.size(), 1U);
   EXPECT_NEAR(geometry::signedArea(pattern.contours[0].curves), 2500 * kPi, 1e-9);
@@ -109,7 +109,7 @@ TEST(Join, AnArcThatAllButClosesIsACircle) {
 
 TEST(Join, TakesTheNearestEndsFirst) {
   // At (100, 0) three ends lie within the tolerance of each other; the two nearest belong together.
-  const Pattern pattern = joinPieces(
+  const Pattern pattern = test::joined(
       {Line{{0, 0}, {100, 0}}, Line{{100.001, 0}, {100, 60}}, Line{{100, 60}, {0, 0}}, Line{{100.03, 0}, {200, 0}}},
       kGap);
   ASSERT_EQ(pattern.contours.size(), 1U);
@@ -124,7 +124,7 @@ TEST(Join, ShortChordsAreNotTakenForGaps) {
     const double angle = 2 * kPi * i / kCount;
     corners.emplace_back(10 * std::cos(angle), 10 * std::sin(angle));
   }
-  const Pattern pattern = joinPieces(test::shuffled(test::closedLines(corners), 5), kGap);
+  const Pattern pattern = test::joined(test::shuffled(test::closedLines(corners), 5), kGap);
   ASSERT_EQ(pattern.contours.size(), 1U);
   EXPECT_TRUE(pattern.repairs.empty());
   EXPECT_FALSE(base::hasErrors(pattern.problems));
@@ -139,7 +139,7 @@ TEST(Join, RemovesPiecesWithoutLengthAndDoublesInEitherDirection) {
   pieces.push_back(pieces[1]);
   pieces.emplace_back(Line{{0.0004, 0}, {100, 0.0004}}); // a copy to the accuracy of the program
   for (std::uint64_t order = 0; order < 5; ++order) {
-    const Pattern pattern = joinPieces(test::shuffled(pieces, order), kGap);
+    const Pattern pattern = test::joined(test::shuffled(pieces, order), kGap);
     ASSERT_EQ(pattern.contours.size(), 1U);
     EXPECT_FALSE(base::hasErrors(pattern.problems));
     std::map<Code, int> repairs;
@@ -155,7 +155,7 @@ TEST(Join, RemovesPiecesWithoutLengthAndDoublesInEitherDirection) {
 }
 
 TEST(Join, DoubledCirclesAreOne) {
-  const Pattern pattern = joinPieces(
+  const Pattern pattern = test::joined(
       {geometry::arcAbout({0, 0}, 30, -kPi / 2, 2 * kPi), geometry::arcAbout({0, 0}, 30, -kPi / 2, -2 * kPi)}, kGap);
   EXPECT_EQ(pattern.contours.size(), 1U);
   EXPECT_EQ(pattern.repairs.size(), 1U);
@@ -165,7 +165,7 @@ TEST(Join, TellsWhereAChainIsOpenAndHowFar) {
   std::vector<Curve> pieces = test::closedLines({{0, 0}, {100, 0}, {100, 50}, {0, 50}});
   pieces[1] = Line{{100, 0.25}, {100, 50}};
   for (std::uint64_t order = 0; order < 5; ++order) {
-    const Pattern pattern = joinPieces(test::shuffled(pieces, order), kGap);
+    const Pattern pattern = test::joined(test::shuffled(pieces, order), kGap);
     EXPECT_TRUE(pattern.contours.empty());
     EXPECT_EQ(pattern.loose.size(), 4U);
     ASSERT_EQ(pattern.problems.size(), 1U);
@@ -173,13 +173,13 @@ TEST(Join, TellsWhereAChainIsOpenAndHowFar) {
     EXPECT_NEAR(number(pattern.problems[0], "gap_mm"), 0.25, 1e-12);
     EXPECT_EQ(pattern.problems[0].where, Point(100, 0));
   }
-  EXPECT_EQ(joinPieces(pieces, 0.3).contours.size(), 1U) << "a larger tolerance closes it";
+  EXPECT_EQ(test::joined(pieces, 0.3).contours.size(), 1U) << "a larger tolerance closes it";
 }
 
 TEST(Join, EveryGapIsToldOnce) {
   std::vector<Curve> pieces = test::closedLines({{0, 0}, {100, 0}, {100, 50}, {0, 50}});
   pieces[1] = Line{{100, 1}, {100, 48}};
-  const Pattern pattern = joinPieces(pieces, kGap);
+  const Pattern pattern = test::joined(pieces, kGap);
   const std::vector<base::Problem> open = test::problemsOf(pattern, Code::OpenChain);
   ASSERT_EQ(open.size(), 2U);
   EXPECT_NEAR(number(open[0], "gap_mm"), 1, 1e-12);
@@ -187,7 +187,7 @@ TEST(Join, EveryGapIsToldOnce) {
 }
 
 TEST(Join, ALonePieceIsNamedWithTheDistanceOfItsEnds) {
-  const Pattern pattern = joinPieces({Line{{0, 0}, {30, 40}}}, kGap);
+  const Pattern pattern = test::joined({Line{{0, 0}, {30, 40}}}, kGap);
   ASSERT_EQ(pattern.problems.size(), 1U);
   EXPECT_EQ(pattern.problems[0].code, Code::StrayPiece);
   EXPECT_NEAR(number(pattern.problems[0], "length_mm"), 50, 1e-12);
@@ -196,7 +196,7 @@ TEST(Join, ALonePieceIsNamedWithTheDistanceOfItsEnds) {
 TEST(Join, NamesThePlaceWherePiecesBranch) {
   std::vector<Curve> pieces = test::closedLines({{0, 0}, {100, 0}, {100, 50}, {0, 50}});
   pieces.emplace_back(Line{{100, 0}, {0, 50}});
-  const Pattern pattern = joinPieces(pieces, kGap);
+  const Pattern pattern = test::joined(pieces, kGap);
   const std::vector<base::Problem> branches = test::problemsOf(pattern, Code::BranchingChain);
   ASSERT_EQ(branches.size(), 2U);
   EXPECT_EQ(branches[0].where, Point(100, 0));
@@ -210,7 +210,7 @@ TEST(Join, ListsNoMoreOfAKindThanAnybodyReads) {
   for (int i = 0; i < 500; ++i) {
     pieces.emplace_back(Line{{10.0 * i, 0}, {10.0 * i + 1, 0}});
   }
-  const Pattern pattern = joinPieces(pieces, kGap);
+  const Pattern pattern = test::joined(pieces, kGap);
   const std::size_t listed = test::problemsOf(pattern, Code::OpenChain).size();
   EXPECT_LE(listed, 20U);
   const std::vector<base::Problem> more = test::problemsOf(pattern, Code::MoreNotListed);
@@ -219,7 +219,7 @@ TEST(Join, ListsNoMoreOfAKindThanAnybodyReads) {
 }
 
 TEST(Join, NothingIsNoContour) {
-  const Pattern pattern = joinPieces({}, kGap);
+  const Pattern pattern = test::joined({}, kGap);
   ASSERT_EQ(pattern.problems.size(), 1U);
   EXPECT_EQ(pattern.problems[0].code, Code::NoContour);
 }
@@ -233,7 +233,7 @@ TEST(Join, SurvivesDebris) {
     const Point p(place(random), place(random));
     pieces.emplace_back(Line{p, p + 0.03 * Vector(place(random) - 0.5, place(random) - 0.5)});
   }
-  const Pattern pattern = joinPieces(pieces, kGap);
+  const Pattern pattern = test::joined(pieces, kGap);
   EXPECT_TRUE(base::hasErrors(pattern.problems));
   for (const Contour& contour : pattern.contours) {
     for (const Curve& curve : contour.curves) {

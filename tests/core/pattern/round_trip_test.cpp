@@ -46,7 +46,7 @@ TEST(RoundTrip, FilletsWrittenWithSixDecimalsAreTangentialAgain) {
 TEST(RoundTrip, AContourIsReadAsItWasWritten) {
   for (std::uint64_t seed = 100; seed < 124; ++seed) {
     const std::vector<Curve> outline = test::randomPane(seed).pattern.contours[0].curves;
-    const Pattern expected = joinPieces(outline, 0.05);
+    const Pattern expected = test::joined(outline, 0.05);
     for (const std::string& text : {test::DxfText().insUnits(4).add(test::shuffled(outline, seed)).text(),
                                     test::DxfText().insUnits(4).addPolyline(outline).text()}) {
       const Pattern found = readDxf(text, {});

@@ -1,0 +1,301 @@
+#include "core/toolpath/offset.h"
+
+#include "core/base/tolerances.h"
+#include "core/toolpath/blocked.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace arris::toolpath {
+namespace {
+
+using geometry::Arc;
+using geometry::Curve;
+using geometry::Line;
+using geometry::Point;
+using geometry::Vector;
+
+/// What is left of a piece is dropped where it is shorter than this, mm.
+constexpr double kSliver = 1e-7;
+
+/// Spans meet where their ends are nearer to each other than this, mm.
+constexpr double kMeet = 1e-6;
+
+/// Where three edges are touched in one point to within rounding, a wheel larger by this is tried instead, mm.
+constexpr double kLarger = 1e-6;
+constexpr int kTries = 4;
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// The pieces of one ring, from `first` to before `end`.
+struct PieceRing {
+  std::uint32_t first = 0;
+  std::uint32_t end = 0;
+};
+
+/// Every piece before anything is cut off.
+class Pieces {
+public:
+  Pieces(const Glass& glass, double radius) : m_glass(glass), m_radius(radius) {
+    m_pieces.reserve(2 * glass.edges().size());
+    for (const Ring& ring : glass.rings()) {
+      PieceRing pieces{static_cast<std::uint32_t>(m_pieces.size()), 0};
+      for (EdgeId edge = ring.first; edge < ring.first + ring.count; ++edge) {
+        addFlank(edge);
+        addRoll(edge);
+      }
+      pieces.end = static_cast<std::uint32_t>(m_pieces.size());
+      m_rings.push_back(pieces);
+    }
+  }
+
+  std::vector<Piece> take() {
+    return std::move(m_pieces);
+  }
+
+  [[nodiscard]] const std::vector<PieceRing>& rings() const {
+    return m_rings;
+  }
+
+private:
+  [[nodiscard]] bool hasFlank(EdgeId edge) const {
+    const auto* arc = std::get_if<Arc>(&m_glass.edges()[edge]);
+    return !arc || (1 - arc->curvature * m_glass.side() * m_radius) * arc->length > kSliver;
+  }
+
+  void addFlank(EdgeId edge) {
+    if (!hasFlank(edge)) {
+      return;
+    }
+    const JointKind joint = m_glass.jointAfter(edge);
+    const bool joins =
+        joint == JointKind::Convex || (joint == JointKind::Tangential && hasFlank(m_glass.next(edge)));
+    add(geometry::offset(m_glass.edges()[edge], m_glass.side() * m_radius), edge, false, joins);
+  }
+
+  void addRoll(EdgeId edge) {
+    if (m_glass.jointAfter(edge) != JointKind::Convex) {
+      return;
+    }
+    const Curve& before = m_glass.edges()[edge];
+    const Vector tangent = geometry::endTangent(before);
+    const double turn = m_glass.turnAfter(edge);
+    const Point from = geometry::endPoint(before) + m_glass.side() * m_radius * geometry::leftOf(tangent);
+    const double curvature = (turn > 0 ? 1 : -1) / m_radius;
+    add(Arc{from, tangent, curvature, m_radius * std::abs(turn)}, edge, true, hasFlank(m_glass.next(edge)));
+  }
+
+  void add(const Curve& path, EdgeId edge, bool isRoll, bool joinsNext) {
+    m_pieces.push_back({path, geometry::parameterLength(path), edge, isRoll, joinsNext});
+  }
+
+  const Glass& m_glass;
+  double m_radius;
+  std::vector<Piece> m_pieces;
+  std::vector<PieceRing> m_rings;
+};
+
+/// Cuts pieces where they come too near to other edges.
+class Cutter {
+public:
+  Cutter(const Glass& glass, double radius) : m_glass(glass), m_radius(radius), m_free(radius) {}
+
+  /// What stays of the piece.
+  const std::vector<Stretch>& cut(const Piece& piece) {
+    m_free.begin(piece.path);
+    const EdgeId next = m_glass.next(piece.edge);
+    const EdgeId previous = m_glass.previous(piece.edge);
+    const std::array<EdgeId, 4> around{next, previous, m_glass.next(next), m_glass.previous(previous)};
+    // Neighbours take most away where anything is taken away at all.
+    for (const EdgeId edge : around) {
+      if (!m_free.empty() && !keepsDistance(piece, edge)) {
+        m_free.block(m_glass.edges()[edge]);
+      }
+    }
+    if (m_free.empty()) {
+      return m_free.stretches();
+    }
+    const Stretch hull = m_free.hull();
+    if (hull.to <= hull.from) {
+      return m_free.stretches();
+    }
+    const geometry::FlatBox box = geometry::flatBounds(geometry::part(piece.path, hull.from, hull.to));
+    m_glass.tree().forNear(box, m_radius, [&](std::size_t index) {
+      const auto edge = static_cast<EdgeId>(index);
+      if (std::find(around.begin(), around.end(), edge) == around.end() && !keepsDistance(piece, edge)) {
+        m_free.block(m_glass.edges()[edge]);
+      }
+      return !m_free.empty();
+    });
+    return m_free.stretches();
+  }
+
+private:
+  // The edge itself, and lines beside it or beside its corner that turn away from the wheel.
+  [[nodiscard]] bool keepsDistance(const Piece& piece, EdgeId edge) const {
+    const auto isLine = [this](EdgeId e) { return std::holds_alternative<Line>(m_glass.edges()[e]); };
+    const bool isNext = edge == m_glass.next(piece.edge);
+    if (piece.isRoll) {
+      return (edge == piece.edge || isNext) && isLine(edge);
+    }
+    if (edge == piece.edge) {
+      return true;
+    }
+    if (!isLine(edge) || !isLine(piece.edge)) {
+      return false;
+    }
+    const bool isPrevious = edge == m_glass.previous(piece.edge);
+    return (isNext && m_glass.jointAfter(piece.edge) != JointKind::Concave) ||
+           (isPrevious && m_glass.jointAfter(edge) != JointKind::Concave);
+  }
+
+  const Glass& m_glass;
+  double m_radius;
+  FreeStretches m_free;
+};
+
+/// Joins spans to loops.
+class Stitcher {
+public:
+  Stitcher(const std::vector<Piece>& pieces, const std::vector<PieceRing>& rings, const std::vector<Span>& spans)
+      : m_pieces(pieces), m_spans(spans), m_next(spans.size(), kNone), m_hasPrevious(spans.size(), false) {
+    joinNeighbours(rings);
+    joinMeeting();
+  }
+
+  [[nodiscard]] bool complete() const {
+    return std::find(m_next.begin(), m_next.end(), kNone) == m_next.end();
+  }
+
+  std::vector<Loop> loops() {
+    std::vector<Loop> result;
+    std::vector<bool> taken(m_spans.size(), false);
+    for (std::uint32_t first = 0; first < m_spans.size(); ++first) {
+      Loop loop;
+      for (std::uint32_t i = first; !taken[i]; i = m_next[i]) {
+        taken[i] = true;
+        loop.push_back(m_spans[i]);
+      }
+      if (!loop.empty()) {
+        result.push_back(std::move(loop));
+      }
+    }
+    return result;
+  }
+
+private:
+  void join(std::uint32_t span, std::uint32_t next) {
+    m_next[span] = next;
+    m_hasPrevious[next] = true;
+  }
+
+  // Where neither end was cut off.
+  void joinNeighbours(const std::vector<PieceRing>& rings) {
+    std::vector<std::uint32_t> firstSpan(m_pieces.size(), kNone);
+    for (std::uint32_t i = static_cast<std::uint32_t>(m_spans.size()); i-- > 0;) {
+      firstSpan[m_spans[i].piece] = i;
+    }
+    auto ring = rings.begin();
+    for (std::uint32_t i = 0; i < m_spans.size(); ++i) {
+      const std::uint32_t piece = m_spans[i].piece;
+      while (piece >= ring->end) {
+        ++ring;
+      }
+      if (m_spans[i].to < m_pieces[piece].length || !m_pieces[piece].joinsNext) {
+        continue;
+      }
+      const std::uint32_t next = firstSpan[piece + 1 < ring->end ? piece + 1 : ring->first];
+      if (next != kNone && m_spans[next].from == 0) {
+        join(i, next);
+      }
+    }
+  }
+
+  void joinMeeting() {
+    struct Start {
+      Point place;
+      std::uint32_t span = 0;
+    };
+    std::vector<Start> starts;
+    for (std::uint32_t i = 0; i < m_spans.size(); ++i) {
+      if (!m_hasPrevious[i]) {
+        starts.push_back({geometry::pointAt(m_pieces[m_spans[i].piece].path, m_spans[i].from), i});
+      }
+    }
+    const auto before = [](const Start& a, const Start& b) { return a.place.x() < b.place.x(); };
+    std::sort(starts.begin(), starts.end(), before);
+    for (std::uint32_t i = 0; i < m_spans.size(); ++i) {
+      if (m_next[i] != kNone) {
+        continue;
+      }
+      const Point end = geometry::pointAt(m_pieces[m_spans[i].piece].path, m_spans[i].to);
+      std::uint32_t best = kNone;
+      double nearest = kMeet;
+      for (auto s = std::lower_bound(starts.begin(), starts.end(), Start{end - Point(kMeet, 0)}, before);
+           s != starts.end() && s->place.x() <= end.x() + kMeet; ++s) {
+        const double distance = (s->place - end).norm();
+        if (distance <= nearest && !m_hasPrevious[s->span]) {
+          nearest = distance;
+          best = s->span;
+        }
+      }
+      if (best != kNone) {
+        join(i, best);
+      }
+    }
+  }
+
+  const std::vector<Piece>& m_pieces;
+  const std::vector<Span>& m_spans;
+  std::vector<std::uint32_t> m_next; ///< by span
+  std::vector<bool> m_hasPrevious;   ///< by span
+};
+
+std::vector<Span> cutAll(const Glass& glass, const std::vector<Piece>& pieces, double radius) {
+  std::vector<Span> spans;
+  spans.reserve(pieces.size());
+  if (glass.isOneConvexPane()) {
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+      spans.push_back({i, 0, pieces[i].length});
+    }
+    return spans;
+  }
+  Cutter cutter(glass, radius);
+  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+    for (const Stretch& stretch : cutter.cut(pieces[i])) {
+      if (stretch.to - stretch.from > kSliver) {
+        spans.push_back({i, stretch.from, stretch.to});
+      }
+    }
+  }
+  return spans;
+}
+
+Offset tryOffset(const Glass& glass, double radius) {
+  Pieces maker(glass, radius);
+  Offset result;
+  result.radius = radius;
+  result.pieces = maker.take();
+  const std::vector<Span> spans = cutAll(glass, result.pieces, radius);
+  Stitcher stitcher(result.pieces, maker.rings(), spans);
+  result.complete = stitcher.complete();
+  if (result.complete) {
+    result.loops = stitcher.loops();
+  }
+  return result;
+}
+
+} // namespace
+
+Offset offsetOf(const Glass& glass, double radius) {
+  Offset result = tryOffset(glass, radius);
+  for (int i = 1; i < kTries && !result.complete; ++i) {
+    result = tryOffset(glass, radius + i * kLarger);
+  }
+  return result;
+}
+
+} // namespace arris::toolpath
