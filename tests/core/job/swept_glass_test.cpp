@@ -1,13 +1,16 @@
 // The checks of the promises can fail: paths that are wrong by little are found, at the place and by the amount.
 
 #include "core/base/numbers.h"
+#include "tests/support/dice.h"
 #include "tests/support/panes.h"
+#include "tests/support/random_glass.h"
 #include "tests/support/swept_glass.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace arris::job {
 namespace {
@@ -174,6 +177,112 @@ TEST(SweptGlass, DoesNotAskForWhatNoWheelOfThatRadiusReaches) {
   hole.curves = {geometry::arcAbout(geometry::bounds(job.contours.front().curves).center(), 70, 0, -2 * base::kPi)};
   job.contours.push_back(hole);
   EXPECT_TRUE(test::grindsAllAndOnlyTheEdge(job));
+}
+
+/// By hand, the wheel of 75 mm round the L whose concave corner lies at (500, 500): rolls, and lines that meet or stop
+/// `before` (run on past: negative) their crossing at (575, 575).
+Job lByHand(double before) {
+  using geometry::Line;
+  Job job;
+  job.contours = test::polygon({{0, 0}, {800, 0}, {800, 500}, {500, 500}, {500, 800}, {0, 800}}).contours;
+  const auto add = [&job](const geometry::Curve& shape, Role role) {
+    job.toolpath.chains.resize(1);
+    segmentsOf(job).push_back({shape, role, 0, 0});
+  };
+  const double quarter = base::kPi / 2;
+  add(Line{{0, -75}, {800, -75}}, Role::Contour);
+  add(geometry::arcAbout({800, 0}, 75, -quarter, quarter), Role::Roll);
+  add(Line{{875, 0}, {875, 500}}, Role::Contour);
+  add(geometry::arcAbout({800, 500}, 75, 0, quarter), Role::Roll);
+  add(Line{{800, 575}, {575 + before, 575}}, Role::Contour);
+  add(Line{{575, 575 + before}, {575, 800}}, Role::Contour);
+  add(geometry::arcAbout({500, 800}, 75, 0, quarter), Role::Roll);
+  add(Line{{500, 875}, {0, 875}}, Role::Contour);
+  add(geometry::arcAbout({0, 800}, 75, quarter, quarter), Role::Roll);
+  add(Line{{-75, 800}, {-75, 0}}, Role::Contour);
+  add(geometry::arcAbout({0, 0}, 75, 2 * quarter, quarter), Role::Roll);
+  return job;
+}
+
+TEST(SweptGlass, FindsNothingWrongWithAnLByHand) {
+  EXPECT_TRUE(test::grindsAllAndOnlyTheEdge(lByHand(0)));
+}
+
+TEST(SweptGlass, FindsThatThePathStopsShortOfAConcaveCorner) {
+  const std::vector<Breach> breaches = test::untouched(lByHand(2));
+  ASSERT_FALSE(breaches.empty());
+  for (const Breach& breach : breaches) { // the last 2 mm that the wheel reaches on either edge
+    const double along = std::max(breach.where.x(), breach.where.y());
+    EXPECT_GT(along, 575 - 1e-5);
+    EXPECT_LT(along, 577);
+    EXPECT_LE(breach.amount, std::hypot(75, 2) - 75 + 1e-9);
+  }
+}
+
+TEST(SweptGlass, FindsThatThePathRunsPastAConcaveCorner) {
+  const std::vector<Breach> breaches = test::gouges(lByHand(-0.002));
+  ASSERT_EQ(breaches.size(), 2U);
+  EXPECT_NEAR(breaches.front().amount, -0.002, 1e-6);
+}
+
+double distanceByTheProgram(const Job& job, const Point& p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const pattern::Contour& contour : job.contours) {
+    for (const geometry::Curve& curve : contour.curves) {
+      nearest = std::min(nearest, geometry::nearest(curve, p).distance);
+    }
+  }
+  return nearest;
+}
+
+/// Places all over the pane and round it, and on the normals of its contours within 50 nm of what is allowed.
+std::vector<Point> placesOn(const Job& job, test::Dice& dice) {
+  geometry::Box box;
+  std::vector<Point> places;
+  for (const pattern::Contour& contour : job.contours) {
+    box.extend(geometry::bounds(contour.curves));
+    for (const geometry::Curve& curve : contour.curves) {
+      const auto foot = geometry::evaluate(curve, dice.between(0, 1) * geometry::parameterLength(curve));
+      const double away = job.recipe.wheelRadius - 1e-3 + (dice.chance(0.5) ? 50e-6 : -50e-6);
+      places.emplace_back(foot.point - away * geometry::leftOf(foot.first));
+    }
+  }
+  for (int i = 0; i < 100; ++i) {
+    const Point share(dice.between(-0.2, 1.2), dice.between(-0.2, 1.2));
+    places.emplace_back(box.min() + share.cwiseProduct(box.sizes()));
+  }
+  return places;
+}
+
+// Clipper's widened glass against the program's own distances: strokes of 0.1 µm are told apart exactly, in hollows
+// tighter than the wheel, narrow slots and islands too.
+TEST(SweptGlass, AgreesWithTheDistanceFromTheContoursEverywhere) {
+  test::Dice dice(1);
+  std::size_t found = 0;
+  std::size_t all = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Job job = test::planned(test::randomGlass(seed));
+    job.toolpath.chains.assign(1, {});
+    std::vector<Point> tooNear;
+    for (const Point& p : placesOn(job, dice)) {
+      segmentsOf(job).push_back({geometry::Line{p, p + Vector(1e-4, 0)}, Role::LeadIn, 0, 0});
+      const Point end = p + Vector(1e-4, 0);
+      const double nearest = std::min(distanceByTheProgram(job, p), distanceByTheProgram(job, end));
+      const bool inGlass = test::distanceFromGlass(job.contours, p) < 0;
+      if (inGlass || nearest < job.recipe.wheelRadius - 1e-3) {
+        tooNear.push_back(p);
+      }
+    }
+    const std::vector<Breach> breaches = test::gouges(job);
+    ASSERT_EQ(breaches.size(), tooNear.size()) << "seed " << seed;
+    for (std::size_t i = 0; i < tooNear.size(); ++i) {
+      EXPECT_LT((breaches[i].where - tooNear[i]).norm(), 1e-3);
+    }
+    found += tooNear.size();
+    all += segmentsOf(job).size();
+  }
+  EXPECT_GT(found, all / 4);
+  EXPECT_LT(found, 3 * all / 4);
 }
 
 } // namespace
