@@ -86,20 +86,23 @@ Pattern readDxf(std::string_view text, const ImportOptions& options) {
   }
 }
 
-Pattern joinPieces(Pieces pieces, double gap, [[maybe_unused]] double smooth) {
+Pattern joinPieces(Pieces pieces, double gap, double smooth) {
   Chains chains = chainPieces(std::move(pieces), gap);
   Pattern pattern;
   pattern.loose = std::move(chains.loose);
   pattern.repairs = std::move(chains.repairs);
   pattern.problems = std::move(chains.problems);
+  Problems notes;
   for (std::vector<Curve>& chain : chains.closed) {
-    pattern.contours.push_back(makeContour(std::move(chain)));
+    const int number = static_cast<int>(pattern.contours.size()) + 1;
+    pattern.contours.push_back(makeContour(number, std::move(chain), smooth, notes));
   }
   takeOutCopies(pattern.contours, pattern.repairs);
-  sortContours(pattern.contours);
+  sortContours(pattern.contours, notes);
   if (pattern.contours.empty() && pattern.problems.empty()) {
     pattern.problems.emplace_back(Code::NoContour);
   }
+  append(pattern.problems, notes);
   append(pattern.problems, checkContours(pattern.contours));
   sortByPlace(pattern.repairs);
   sortByPlace(pattern.problems);
