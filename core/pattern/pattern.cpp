@@ -44,14 +44,25 @@ void dropConsequencesOfMissing(Problems& problems, const Problems& ofEntities) {
   }
 }
 
+// The steps behind the reader join single curves still.
+std::vector<Curve> flattened(const Pieces& pieces) {
+  std::vector<Curve> curves;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    curves.insert(curves.end(), pieces[i].begin(), pieces[i].end());
+  }
+  return curves;
+}
+
 Pattern readInventory(const Inventory& inventory, const ImportOptions& options) {
   const FoundUnits units = findUnits(options.units, inventory.insUnits, inventory.measurement);
   const double scale = millimetresPer(units.units);
-  Selection selection = selectEntities(inventory, scale);
-  ReadEntities read = readEntities(selection.entities, scale);
+  Selection selection = selectEntities(inventory, options.layers, scale);
+  ReadEntities read = readEntities(selection);
   append(selection.problems, read.problems);
 
-  Pattern pattern = joinPieces(std::move(read.pieces), options.gap);
+  Pattern pattern = joinPieces(flattened(read.pieces), options.gap);
+  append(pattern.repairs, read.repairs);
+  sortByPlace(pattern.repairs);
   pattern.units = units.units;
   pattern.unitsFrom = units.from;
   pattern.entities = std::move(selection.counts);
