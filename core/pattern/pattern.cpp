@@ -47,11 +47,13 @@ void dropConsequencesOfMissing(Problems& problems, const Problems& ofEntities) {
 Pattern readInventory(const Inventory& inventory, const ImportOptions& options) {
   const FoundUnits units = findUnits(options.units, inventory.insUnits, inventory.measurement);
   const double scale = millimetresPer(units.units);
-  Selection selection = selectEntities(inventory, scale);
-  ReadEntities read = readEntities(selection.entities, scale);
+  Selection selection = selectEntities(inventory, options.layers, scale);
+  ReadEntities read = readEntities(selection);
   append(selection.problems, read.problems);
 
-  Pattern pattern = joinPieces(Pieces(std::move(read.pieces)), options.gap, options.smooth);
+  Pattern pattern = joinPieces(std::move(read.pieces), options.gap, options.smooth);
+  append(pattern.repairs, read.repairs);
+  sortByPlace(pattern.repairs);
   pattern.units = units.units;
   pattern.unitsFrom = units.from;
   pattern.entities = std::move(selection.counts);
