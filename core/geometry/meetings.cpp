@@ -1,47 +1,24 @@
 #include "core/geometry/meetings.h"
 
-#include "core/base/numbers.h"
-
 #include <cmath>
 
 namespace arris::geometry {
 namespace {
 
-using base::kPi;
-
-// With s = (2/κ) tan(κλ/2) a point of the track is start + (s t + κs²/2 n)/(1 + κ²s²/4): both kinds of meeting are
-// quadratic in s, and s becomes λ itself where κ goes to 0.
-double lambdaAt(const Track& track, double s) {
-  if (track.curvature == 0) {
-    return s;
-  }
-  const double lambda = 2 * std::atan(track.curvature * s / 2) / track.curvature;
-  return lambda < 0 ? lambda + 2 * kPi / std::abs(track.curvature) : lambda;
-}
-
-// The roots of a s² + 2 b s + c = 0. A root at infinity is the point opposite to the start of an arc.
-Meetings solve(const Track& track, double a, double b, double c) {
+// The roots of a s² + 2 b s + c = 0, without cancellation. A root at infinity is none.
+Track::Meetings solve(double a, double b, double c) {
   const double discriminant = b * b - a * c;
   if (!(discriminant >= 0)) {
     return {};
   }
   const double sum = -(b + std::copysign(std::sqrt(discriminant), b));
-  Meetings result;
-  const auto add = [&](double numerator, double denominator) {
-    if (denominator != 0) {
-      result.lambda[result.count++] = lambdaAt(track, numerator / denominator);
-    } else if (numerator != 0 && track.curvature != 0) {
-      result.lambda[result.count++] = kPi / std::abs(track.curvature);
-    }
-  };
-  if (sum == 0 && (a == 0 || c == 0)) { // b = 0 and a c = 0
-    if (a != 0) {
-      add(0, a);
-    }
-    return result;
+  Track::Meetings result;
+  if (a != 0) {
+    result.s[result.count++] = sum / a;
   }
-  add(sum, a);
-  add(c, sum);
+  if (sum != 0) {
+    result.s[result.count++] = c / sum;
+  }
   return result;
 }
 
@@ -49,35 +26,48 @@ Meetings solve(const Track& track, double a, double b, double c) {
 
 Track::Track(const Curve& lineOrArc) {
   if (const auto* line = std::get_if<Line>(&lineOrArc)) {
-    start = line->from;
-    length = (line->to - line->from).norm();
-    tangent = (line->to - line->from) / length;
-  } else {
-    const auto& arc = std::get<Arc>(lineOrArc);
-    start = arc.start;
-    tangent = arc.tangent;
-    curvature = arc.curvature;
-    length = arc.length;
+    m_length = (line->to - line->from).norm();
+    m_middle = (line->from + line->to) / 2;
+    m_tangent = (line->to - line->from) / m_length;
+    m_end = m_length / 2;
+    return;
   }
+  const auto& arc = std::get<Arc>(lineOrArc);
+  const Evaluation middle = evaluate(arc, arc.length / 2);
+  m_length = arc.length;
+  m_middle = middle.point;
+  m_tangent = middle.first;
+  m_curvature = arc.curvature;
+  m_end = std::abs(std::tan(arc.sweep() / 4) * 2 / arc.curvature);
 }
 
-Point Track::at(double lambda) const {
-  return curvature == 0 ? Point(start + lambda * tangent)
-                        : evaluate(Arc{start, tangent, curvature, length}, lambda).point;
+double Track::lambda(double s) const {
+  if (s == m_end) {
+    return m_length;
+  }
+  if (s == -m_end) {
+    return 0;
+  }
+  return m_length / 2 + (m_curvature == 0 ? s : 2 * std::atan(m_curvature * s / 2) / m_curvature);
 }
 
-Meetings meetCircle(const Track& track, const Point& center, double radius) {
-  const Vector v = track.start - center;
+// With v from the centre: |v + (s t + κs²/2 n)/(1 + κ²s²/4)|² = r², multiplied by the denominator.
+Track::Meetings Track::meetCircle(const Point& center, double radius) const {
+  const Vector v = m_middle - center;
   const double away = v.norm();
   const double c = (away - radius) * (away + radius);
-  const double k = track.curvature;
-  return solve(track, 1 + k * v.dot(leftOf(track.tangent)) + c * k * k / 4, v.dot(track.tangent), c);
+  return solve(1 + m_curvature * (v.dot(leftOf(m_tangent)) + c * m_curvature / 4), v.dot(m_tangent), c);
 }
 
-Meetings meetLine(const Track& track, const Point& through, const Vector& normal) {
-  const double c = normal.dot(track.start - through);
-  const double k = track.curvature;
-  return solve(track, k * (normal.dot(leftOf(track.tangent)) / 2 + k * c / 4), normal.dot(track.tangent) / 2, c);
+Track::Meetings Track::meetLine(const Point& through, const Vector& normal) const {
+  const double c = normal.dot(m_middle - through);
+  return solve(m_curvature * (normal.dot(leftOf(m_tangent)) / 2 + m_curvature * c / 4), normal.dot(m_tangent) / 2, c);
+}
+
+Track::Meetings Track::meetWhole(const Curve& lineOrArc) const {
+  const auto* arc = std::get_if<Arc>(&lineOrArc);
+  return arc ? meetCircle(arc->center(), arc->radius())
+             : meetLine(startPoint(lineOrArc), leftOf(startTangent(lineOrArc)));
 }
 
 } // namespace arris::geometry

@@ -7,30 +7,56 @@
 
 namespace arris::geometry {
 
-/// A line or an arc by its start: what lines and arcs have in common. Curvature 0 is a line.
-struct Track {
-  Point start{0, 0};
-  Vector tangent{1, 0}; ///< unit
-  double curvature = 0;
-  double length = 0;
-
+/// A line or an arc seen from its middle, with a parameter that makes it rational: s = (2/κ) tan(κ(λ − length/2)/2), on a
+/// line λ − length/2. It rises with λ and covers the whole line, or the whole circle but for the point opposite to the
+/// middle: so all is found without angles, for every curvature from 0 on.
+class Track {
+public:
   Track() = default;
   explicit Track(const Curve& lineOrArc);
 
-  [[nodiscard]] Point at(double lambda) const;
+  [[nodiscard]] double length() const {
+    return m_length;
+  }
+
+  [[nodiscard]] double curvature() const {
+    return m_curvature;
+  }
+
+  /// s at the end; at the start it is the negative of that.
+  [[nodiscard]] double end() const {
+    return m_end;
+  }
+
+  [[nodiscard]] Point at(double s) const {
+    const double bend = m_curvature * s / 2;
+    return m_middle + (s / (1 + bend * bend)) * (m_tangent + bend * leftOf(m_tangent));
+  }
+
+  /// λ from the start: exactly 0 and the length at the ends.
+  [[nodiscard]] double lambda(double s) const;
+
+  /// Up to two values of s, in no order, also outside the track.
+  struct Meetings {
+    std::array<double, 2> s{};
+    std::size_t count = 0;
+  };
+
+  /// Where the track, prolonged at both ends, meets a circle; none where it runs along it.
+  [[nodiscard]] Meetings meetCircle(const Point& center, double radius) const;
+
+  /// The same with the straight line through a point; `normal` is a unit vector.
+  [[nodiscard]] Meetings meetLine(const Point& through, const Vector& normal) const;
+
+  /// The same with a whole line or circle that a curve is part of.
+  [[nodiscard]] Meetings meetWhole(const Curve& lineOrArc) const;
+
+private:
+  Point m_middle{0, 0};
+  Vector m_tangent{1, 0}; ///< unit, at the middle
+  double m_curvature = 0;
+  double m_length = 0;
+  double m_end = 0;
 };
-
-/// λ of up to two points, in no order; those outside the track too, on an arc from 0 up to a full turn.
-struct Meetings {
-  std::array<double, 2> lambda{};
-  std::size_t count = 0;
-};
-
-/// Where the track, prolonged at both ends (an arc to its circle), meets a circle or a straight line. None where they
-/// run along each other. Good for every curvature, from 0 on.
-[[nodiscard]] Meetings meetCircle(const Track& track, const Point& center, double radius);
-
-/// `normal` is a unit vector and `through` a point of the line.
-[[nodiscard]] Meetings meetLine(const Track& track, const Point& through, const Vector& normal);
 
 } // namespace arris::geometry

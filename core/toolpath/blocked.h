@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/box_tree.h"
 #include "core/geometry/meetings.h"
 
 #include <vector>
@@ -12,7 +13,8 @@ struct Stretch {
   double to = 0;
 };
 
-/// A piece of path that keeps its distance as far as edges have not taken stretches of it away.
+/// What stays of a piece of path as edges block stretches of it: those where the path is nearer to an edge than a given
+/// distance.
 class FreeStretches {
 public:
   /// `radius` is the distance to keep, mm.
@@ -24,26 +26,26 @@ public:
   /// Takes away where the path is nearer to the edge than the radius, by more than rounding.
   void block(const geometry::Curve& edge);
 
-  [[nodiscard]] const std::vector<Stretch>& stretches() const {
-    return m_free;
-  }
-
   [[nodiscard]] bool empty() const {
     return m_free.empty();
   }
 
-  /// From the start of the first to the end of the last.
-  [[nodiscard]] Stretch hull() const {
-    return {m_free.front().from, m_free.back().to};
-  }
+  /// A box that holds all that is free.
+  [[nodiscard]] geometry::FlatBox box() const;
+
+  /// Appends what is free, in order.
+  void appendTo(std::vector<Stretch>& stretches) const;
 
 private:
   void take(double from, double to);
+  void measureHull();
 
   double m_radius;
   geometry::Track m_path;
-  std::vector<Stretch> m_free;
+  std::vector<Stretch> m_free; ///< in the parameter of the track
   std::vector<Stretch> m_left; ///< kept for its memory
+  geometry::Point m_middle;    ///< of the path from the first free place to the last
+  double m_reach = 0;          ///< along the path no point of that is farther from the middle
 };
 
 } // namespace arris::toolpath

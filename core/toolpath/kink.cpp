@@ -12,8 +12,6 @@ namespace {
 
 using geometry::Arc;
 using geometry::Curve;
-using geometry::Line;
-using geometry::Meetings;
 using geometry::Point;
 using geometry::Track;
 using geometry::Vector;
@@ -34,17 +32,15 @@ double radiusBetweenLines(double turn) {
   return std::min(kKinkDeviation / rise, kMostRadius);
 }
 
-/// λ on the track where it meets the curve next to the track's start, if it does.
-std::optional<double> firstMeeting(const Track& track, const Curve& curve) {
-  const auto* arc = std::get_if<Arc>(&curve);
-  const Meetings meetings = arc ? geometry::meetCircle(track, arc->center(), arc->radius())
-                                : geometry::meetLine(track, geometry::startPoint(curve),
-                                                     geometry::leftOf(geometry::startTangent(curve)));
+/// λ on the path where it first meets the line or circle that the other is part of, if it does.
+std::optional<double> firstMeeting(const Curve& path, const Curve& other) {
+  const Track track(path);
+  const Track::Meetings meetings = track.meetWhole(other);
   std::optional<double> first;
   for (std::size_t i = 0; i < meetings.count; ++i) {
-    const double lambda = meetings.lambda[i];
-    if (lambda >= 0 && lambda <= track.length && (!first || lambda < *first)) {
-      first = lambda;
+    const double s = meetings.s[i];
+    if (std::abs(s) <= track.end() && (!first || track.lambda(s) < *first)) {
+      first = track.lambda(s);
     }
   }
   return first;
@@ -61,7 +57,7 @@ std::optional<KinkArc> arcOfRadius(const Curve& before, const Curve& after, doub
     return std::nullopt;
   }
   const Curve movedAfter = geometry::offset(after, side * radius);
-  const std::optional<double> lambda = firstMeeting(Track(movedAfter), geometry::offset(before, side * radius));
+  const std::optional<double> lambda = firstMeeting(movedAfter, geometry::offset(before, side * radius));
   if (!lambda) {
     return std::nullopt;
   }

@@ -105,6 +105,14 @@ public:
 
   /// What stays of the piece.
   const std::vector<Stretch>& cut(const Piece& piece) {
+    m_stretches.clear();
+    block(piece);
+    m_free.appendTo(m_stretches);
+    return m_stretches;
+  }
+
+private:
+  void block(const Piece& piece) {
     m_free.begin(piece.path);
     const EdgeId next = m_glass.next(piece.edge);
     const EdgeId previous = m_glass.previous(piece.edge);
@@ -116,24 +124,17 @@ public:
       }
     }
     if (m_free.empty()) {
-      return m_free.stretches();
+      return;
     }
-    const Stretch hull = m_free.hull();
-    if (hull.to <= hull.from) {
-      return m_free.stretches();
-    }
-    const geometry::FlatBox box = geometry::flatBounds(geometry::part(piece.path, hull.from, hull.to));
-    m_glass.tree().forNear(box, m_radius, [&](std::size_t index) {
+    m_glass.tree().forNear(m_free.box(), m_radius, [&](std::size_t index) {
       const auto edge = static_cast<EdgeId>(index);
       if (std::find(around.begin(), around.end(), edge) == around.end() && !keepsDistance(piece, edge)) {
         m_free.block(m_glass.edges()[edge]);
       }
       return !m_free.empty();
     });
-    return m_free.stretches();
   }
 
-private:
   // The edge itself, and lines beside it or beside its corner that turn away from the wheel.
   [[nodiscard]] bool keepsDistance(const Piece& piece, EdgeId edge) const {
     const auto isLine = [this](EdgeId e) { return std::holds_alternative<Line>(m_glass.edges()[e]); };
@@ -155,6 +156,7 @@ private:
   const Glass& m_glass;
   double m_radius;
   FreeStretches m_free;
+  std::vector<Stretch> m_stretches;
 };
 
 /// Joins spans to loops.

@@ -19,7 +19,6 @@ using base::Problem;
 using geometry::Arc;
 using geometry::Curve;
 using geometry::Line;
-using geometry::Meetings;
 using geometry::Point;
 using geometry::Track;
 using geometry::Vector;
@@ -48,18 +47,16 @@ Curve onwards(const Curve& curve, double length) {
 std::optional<Prolonged> meetAhead(const Curve& before, const Curve& after, double most) {
   const Curve first = onwards(before, most);
   const Curve second = onwards(geometry::reversed(after), most);
-  const auto* arc = std::get_if<Arc>(&second);
   const Track track(first);
-  const Meetings meetings = arc ? geometry::meetCircle(track, arc->center(), arc->radius())
-                                : geometry::meetLine(track, geometry::startPoint(second),
-                                                     geometry::leftOf(geometry::startTangent(second)));
+  const Track::Meetings meetings = track.meetWhole(second);
   std::optional<Prolonged> best;
   for (std::size_t i = 0; i < meetings.count; ++i) {
-    const double lambda = meetings.lambda[i];
-    if (lambda <= 0 || lambda > track.length || (best && lambda > best->before)) {
+    const double s = meetings.s[i];
+    const double lambda = track.lambda(s);
+    if (std::abs(s) > track.end() || lambda <= 0 || (best && lambda > best->before)) {
       continue;
     }
-    const geometry::Nearest there = geometry::nearest(second, track.at(lambda));
+    const geometry::Nearest there = geometry::nearest(second, track.at(s));
     if (there.distance < 1e-6) {
       best = Prolonged{lambda, there.lambda};
     }

@@ -1,7 +1,9 @@
-// Compensation of a closed convex contour by 75 mm, with corners 10 mm apart, beside Clipper 6.4 with round joins.
+// Compensation of closed contours by 75 mm, with corners 10 mm apart, beside Clipper 6.4 with round joins: a waved
+// contour with hollows too tight for the wheel, whose local shape does not depend on its size; the same with arcs; and
+// a star of fixed size, where the wheel bridges the more points the more there are.
 
 #include "core/base/numbers.h"
-#include "core/toolpath/corners.h"
+#include "core/toolpath/wheel_loop.h"
 #include "tests/support/panes.h"
 
 #include <benchmark/benchmark.h>
@@ -13,27 +15,40 @@ namespace arris {
 namespace {
 
 constexpr double kEdge = 10;       ///< mm
+constexpr double kWave = 400;      ///< mm, length of a wave
+constexpr double kAmplitude = 60;  ///< mm: hollows of down to 67 mm radius
+constexpr double kTooth = 5; ///< mm
 constexpr double kPerUnit = 1e5;   ///< Clipper's integers: 10 nm
 constexpr double kArcError = 1e-3; ///< mm, of Clipper's chords round a corner
 
-std::vector<geometry::Point> corners(std::int64_t count) {
-  const double step = 2 * base::kPi / static_cast<double>(count);
-  const double radius = kEdge / (2 * std::sin(step / 2));
+std::vector<geometry::Point> waved(std::int64_t count) {
+  const double radius = kEdge * static_cast<double>(count) / (2 * base::kPi);
+  const double waves = std::round(2 * base::kPi * radius / kWave);
   std::vector<geometry::Point> result;
   for (std::int64_t i = 0; i < count; ++i) {
-    const double angle = step * static_cast<double>(i);
-    result.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    const double angle = 2 * base::kPi * static_cast<double>(i) / static_cast<double>(count);
+    const double r = radius + kAmplitude * std::sin(waves * angle) + (i % 2 == 0 ? kTooth : 0);
+    result.emplace_back(r * std::cos(angle), r * std::sin(angle));
   }
   return result;
 }
 
-/// Every second edge bulges outwards by half of what the corners turn.
+std::vector<geometry::Point> star(std::int64_t count) {
+  std::vector<geometry::Point> result;
+  for (std::int64_t i = 0; i < count; ++i) {
+    const double angle = 2 * base::kPi * static_cast<double>(i) / static_cast<double>(count);
+    const double r = i % 2 == 0 ? 1000 : 600;
+    result.emplace_back(r * std::cos(angle), r * std::sin(angle));
+  }
+  return result;
+}
+
+/// Every second edge bulges outwards by 3°.
 pattern::Contour contourOfLinesAndArcs(std::int64_t count) {
-  pattern::Contour contour = test::polygon(corners(count)).contours.front();
+  pattern::Contour contour = test::polygon(waved(count)).contours.front();
   for (std::size_t i = 0; i < contour.curves.size(); i += 2) {
     geometry::Curve& curve = contour.curves[i];
-    curve = geometry::arcBetween(geometry::startPoint(curve), geometry::endPoint(curve),
-                                 base::kPi / static_cast<double>(count));
+    curve = geometry::arcBetween(geometry::startPoint(curve), geometry::endPoint(curve), base::radians(3));
   }
   return contour;
 }
@@ -41,24 +56,30 @@ pattern::Contour contourOfLinesAndArcs(std::int64_t count) {
 void compensation(benchmark::State& state, const pattern::Contour& contour) {
   const recipe::Recipe recipe;
   for (auto _ : state) {
-    base::Problems problems;
-    benchmark::DoNotOptimize(toolpath::compensate(contour, recipe, problems));
+    const toolpath::Glass glass = toolpath::glassOf({contour}, recipe.direction);
+    const toolpath::Offset offset = toolpath::offsetOf(glass, recipe.wheelRadius);
+    for (const toolpath::Loop& loop : offset.loops) {
+      benchmark::DoNotOptimize(toolpath::makeWheelLoop(glass, offset, loop, recipe));
+    }
   }
+  state.SetComplexityN(state.range(0));
 }
 
 void lines(benchmark::State& state) {
-  compensation(state, test::polygon(corners(state.range(0))).contours.front());
-  state.SetComplexityN(state.range(0));
+  compensation(state, test::polygon(waved(state.range(0))).contours.front());
 }
 
 void linesAndArcs(benchmark::State& state) {
   compensation(state, contourOfLinesAndArcs(state.range(0)));
-  state.SetComplexityN(state.range(0));
+}
+
+void denseStar(benchmark::State& state) {
+  compensation(state, test::polygon(star(state.range(0))).contours.front());
 }
 
 void clipper(benchmark::State& state) {
   ClipperLib::Path path;
-  for (const geometry::Point& corner : corners(state.range(0))) {
+  for (const geometry::Point& corner : waved(state.range(0))) {
     path.emplace_back(std::llround(corner.x() * kPerUnit), std::llround(corner.y() * kPerUnit));
   }
   for (auto _ : state) {
@@ -72,6 +93,7 @@ void clipper(benchmark::State& state) {
 
 BENCHMARK(lines)->RangeMultiplier(10)->Range(1000, 100000)->Complexity()->Unit(benchmark::kMillisecond);
 BENCHMARK(linesAndArcs)->RangeMultiplier(10)->Range(1000, 100000)->Complexity()->Unit(benchmark::kMillisecond);
+BENCHMARK(denseStar)->RangeMultiplier(10)->Range(1000, 10000)->Complexity()->Unit(benchmark::kMillisecond);
 BENCHMARK(clipper)->RangeMultiplier(10)->Range(1000, 10000)->Unit(benchmark::kMillisecond);
 
 } // namespace

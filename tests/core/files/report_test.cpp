@@ -53,8 +53,8 @@ TEST(Report, OfThePapersTriangleHasTheContractsKeysAndFigures) {
   EXPECT_EQ(pattern["file"], "pane.dxf");
   EXPECT_EQ(pattern["units"], "mm");
   const Json& contour = pattern["contours"][0];
-  EXPECT_EQ(keysOf(contour),
-            (std::set<std::string>{"id", "kind", "length_mm", "area_mm2", "bounds_mm", "fit_deviation_mm"}));
+  EXPECT_EQ(keysOf(contour), (std::set<std::string>{"id", "kind", "length_mm", "area_mm2", "bounds_mm",
+                                                    "fit_deviation_mm", "untouched_mm"}));
   EXPECT_EQ(contour["kind"], "outline");
   EXPECT_NEAR(contour["length_mm"], 1800, 1e-9);
   EXPECT_NEAR(contour["area_mm2"], 155884.57, 0.005); // 600² √3/4
@@ -198,8 +198,7 @@ TEST(Report, OfAnImportTellsWhatWasFoundRepairedAndWrong) {
   pattern.entities = {{"LINE", 3}, {"TEXT", 1}};
   pattern.layers = {{"0", {{"LINE", 3}}}, {"NOTES", {{"TEXT", 1}}}};
   pattern.repairs = {Problem(Code::GapClosed, {{"size_mm", 0.02}}).at({1, 2})};
-  Problem tooSmall =
-      Problem(Code::Unreached, {{"wheel_mm", 75.0}, {"length_mm", 20.0}}).at({-3.5, 4}).ofContour(1);
+  Problem tooSmall = Problem(Code::Unreached, {{"wheel_mm", 75.0}, {"length_mm", 20.0}}).at({-3.5, 4}).ofContour(1);
   tooSmall.largestWheel = 20;
   pattern.problems = {Problem(Code::EntityNotSupported, {{"entity", "SPLINE"}}).onLine(123), tooSmall};
   const Json r = Json::parse(report(pattern, "pane.dxf"));
