@@ -83,7 +83,6 @@ enum class Code {
   ParkTooLow,
   HeightOutsideTravel,
   GrindingAboveClearance,
-  ConcaveFillet,
   // Speed
   MachineSpeedBinds,
   NumericalFailure,

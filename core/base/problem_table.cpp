@@ -107,9 +107,6 @@ const std::vector<CodeInfo>& allCodes() {
        "The {what} height of {height_mm} mm is outside the travel of 0 to {most_mm} mm."},
       {GrindingAboveClearance, "grinding-above-clearance", Error,
        "The grinding height of {height_mm} mm is above the clearance height of {clearance_mm} mm."},
-      {ConcaveFillet, "concave-fillet", Warning,
-       "The wheel leaves a fillet at the concave corner: {fillet_mm} mm of glass stay before the corner, and "
-       "{unground_mm} mm of its edges are not ground."},
 
       {MachineSpeedBinds, "machine-speed-binds", Note,
        "The machine's greatest speed of the {axis} axis is below the feed; it limits the speed on the contour."},

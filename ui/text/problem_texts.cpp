@@ -122,9 +122,6 @@ const std::vector<const char*>& problemTemplates() {
       QT_TRANSLATE_NOOP("Problem", "The {what} height of {height_mm} mm is outside the travel of 0 to {most_mm} mm."),
       QT_TRANSLATE_NOOP("Problem",
                         "The grinding height of {height_mm} mm is above the clearance height of {clearance_mm} mm."),
-      QT_TRANSLATE_NOOP("Problem",
-                        "The wheel leaves a fillet at the concave corner: {fillet_mm} mm of glass stay before the "
-                        "corner, and {unground_mm} mm of its edges are not ground."),
       QT_TRANSLATE_NOOP(
           "Problem",
           "The machine's greatest speed of the {axis} axis is below the feed; it limits the speed on the contour."),

@@ -28,7 +28,7 @@ std::string refusalOf(const base::Problems& problems) {
   const auto first = std::find_if(problems.begin(), problems.end(),
                                   [](const auto& p) { return base::severityOf(p) == base::Severity::Error; });
   const bool notYet = std::any_of(problems.begin(), problems.end(), [](const auto& p) {
-    return p.code == Code::DxfBinary || p.code == Code::EntityNotSupported || p.code == Code::ConcaveCorner;
+    return p.code == Code::DxfBinary || p.code == Code::EntityNotSupported;
   });
   return fmt::format("{}: {}", notYet ? "skipped" : "refused", base::describeWithPlace(*first, "on the table"));
 }

@@ -22,17 +22,17 @@ constexpr int kDrawings = 240;
 #endif
 
 /// Of the drawings at least this share must be planned, so that the properties are not those of nothing.
-constexpr double kLeastPlanned = 0.1;
-constexpr double kLeastPlannedAccepted = 0.1;
+constexpr double kLeastPlanned = 1.0 / 3;
+constexpr double kLeastPlannedAccepted = 0.9;
 
 /// Every so many planned drawings one is followed row by row.
 constexpr int kFollowed = 6;
 
-/// An error has a place or a line, but where it is about the whole drawing.
+/// Each error has its place or line. (That the wheel reaches nothing at all has none, and cannot be: any wheel reaches
+/// an outline from outside.)
 void expectRefusedWithAPlace(const Job& job) {
   for (const base::Problem& problem : job.problems) {
-    const bool whole = problem.code == base::Code::SeveralContours || problem.code == base::Code::NoContour;
-    EXPECT_TRUE(base::severityOf(problem) != base::Severity::Error || problem.where || problem.line || whole)
+    EXPECT_TRUE(base::severityOf(problem) != base::Severity::Error || problem.where || problem.line)
         << base::describe(problem);
   }
 }
@@ -53,13 +53,6 @@ template <class Check> int forEachPlanned(const test::GlassOptions& options, std
   return count;
 }
 
-bool stopsNear(const Job& job, const geometry::Point& place) {
-  const std::vector<toolpath::Corner>& corners = job.toolpath.corners;
-  return std::any_of(corners.begin(), corners.end(), [&](const toolpath::Corner& corner) {
-    return corner.treatment == toolpath::Treatment::Stop && (corner.s - place).norm() < 10 * job.recipe.wheelRadius;
-  });
-}
-
 /// From lead-in to lead-out in one piece, tangentially but for exact stops.
 void expectG1(const Job& job) {
   for (const toolpath::Chain& chain : job.toolpath.chains) {
@@ -72,7 +65,7 @@ void expectG1(const Job& job) {
       const geometry::Point joint = geometry::startPoint(after);
       EXPECT_LT((geometry::endPoint(before) - joint).norm(), 1e-9) << "segment " << i;
       const double bend = (geometry::endTangent(before) - geometry::startTangent(after)).norm();
-      EXPECT_TRUE(bend < 1e-9 || stopsNear(job, joint)) << "segment " << i << " bends by " << bend;
+      EXPECT_TRUE(bend < 1e-9 || chain.segments[i - 1].stopAtEnd) << "segment " << i << " bends by " << bend;
     }
   }
 }
