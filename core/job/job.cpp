@@ -3,6 +3,7 @@
 #include "core/job/phases.h"
 #include "core/job/placement.h"
 #include "core/job/program_track.h"
+#include "core/toolpath/size_correction.h"
 
 #include <algorithm>
 
@@ -62,6 +63,12 @@ Job planJob(const pattern::Pattern& pattern, const recipe::Recipe& recipe, const
     return job;
   }
 
+  base::Problems ofSize;
+  job.contours = toolpath::sizeCorrected(job.contours, recipe.sizeCorrection, ofSize);
+  append(job.problems, ofSize);
+  if (base::hasErrors(ofSize)) {
+    return job;
+  }
   job.toolpath = toolpath::makeToolpath(job.contours, recipe, leads, machine.park.head<2>());
   base::Problems problems = job.toolpath.problems;
   append(problems, checkTravel(job.toolpath, machine));

@@ -5,6 +5,7 @@
 #include "core/pattern/course.h"
 #include "core/pattern/crossings.h"
 #include "core/pattern/curve_tree.h"
+#include "core/pattern/fit_chords.h"
 #include "core/pattern/merge_neighbours.h"
 #include "core/pattern/near_index.h"
 #include "core/pattern/smooth_joints.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <tuple>
 
@@ -152,6 +154,21 @@ std::vector<int> depths(const std::vector<std::size_t>& parent) {
   return depth;
 }
 
+// Notes about contours that are no more there go with them.
+void renumber(std::vector<Contour>& contours, base::Problems& notes) {
+  std::map<int, int> numbers;
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    const int number = static_cast<int>(i) + 1;
+    numbers[contours[i].id] = number;
+    contours[i].id = number;
+  }
+  const auto isGone = [&](const Problem& note) { return !numbers.contains(*note.contour); };
+  notes.erase(std::remove_if(notes.begin(), notes.end(), isGone), notes.end());
+  for (Problem& note : notes) {
+    note.contour = numbers.at(*note.contour);
+  }
+}
+
 void nest(std::vector<Contour>& contours) {
   const std::vector<std::size_t> parent = parents(contours);
   const std::vector<int> depth = depths(parent);
@@ -241,15 +258,24 @@ void checkAgainstOthers(const std::vector<Contour>& contours, std::size_t i, con
 
 } // namespace
 
-Contour makeContour(std::vector<Curve> closedChain) {
+Contour makeContour(int id, std::vector<Curve> closedChain, double smooth, base::Problems& notes) {
   Contour contour;
+  contour.id = id;
   contour.curves = std::move(closedChain);
   if (geometry::signedArea(contour.curves) < 0) {
     reverseChain(contour.curves);
   }
   startAtTheLowest(contour.curves);
-  const double merged = mergeNeighbours(contour.curves);
-  contour.fitDeviation = merged + smoothJoints(contour.curves);
+  contour.fitDeviation = mergeNeighbours(contour.curves);
+  ChordFit fit;
+  if (smooth > 0) {
+    startAtTheLowest(contour.curves);
+    fit = fitChords(contour.curves, smooth);
+    for (Problem& note : fit.notes) {
+      notes.push_back(std::move(note).ofContour(id));
+    }
+  }
+  contour.fitDeviation += std::max(fit.deviation, smoothJoints(contour.curves)); // at different joints
   startAtTheLowest(contour.curves);
   return contour;
 }
@@ -278,11 +304,9 @@ void takeOutCopies(std::vector<Contour>& contours, base::Problems& repairs) {
   contours = std::move(kept);
 }
 
-void sortContours(std::vector<Contour>& contours) {
+void sortContours(std::vector<Contour>& contours, base::Problems& notes) {
   sortByPlace(contours);
-  for (std::size_t i = 0; i < contours.size(); ++i) {
-    contours[i].id = static_cast<int>(i) + 1;
-  }
+  renumber(contours, notes);
   if (contours.size() > 1) {
     nest(contours);
   }

@@ -24,6 +24,9 @@ constexpr auto kTypes = std::to_array<TypeName>({
     {"LWPOLYLINE", EntityKind::LwPolyline},
     {"POLYLINE", EntityKind::Polyline},
     {"SEQEND", EntityKind::SequenceEnd},
+    {"ELLIPSE", EntityKind::Ellipse},
+    {"SPLINE", EntityKind::Spline},
+    {"INSERT", EntityKind::Insert},
     {"TEXT", EntityKind::NeverPartOfContour},
     {"MTEXT", EntityKind::NeverPartOfContour},
     {"RTEXT", EntityKind::NeverPartOfContour},
@@ -70,6 +73,12 @@ constexpr auto kOfArc = std::to_array<RequiredGroup>(
     {{10, "X of its centre"}, {20, "Y of its centre"}, {40, "radius"}, {50, "start angle"}, {51, "end angle"}});
 constexpr auto kOfCircle =
     std::to_array<RequiredGroup>({{10, "X of its centre"}, {20, "Y of its centre"}, {40, "radius"}});
+constexpr auto kOfEllipse = std::to_array<RequiredGroup>({{10, "X of its centre"},
+                                                          {20, "Y of its centre"},
+                                                          {11, "X of its major axis"},
+                                                          {21, "Y of its major axis"},
+                                                          {40, "ratio of its axes"}});
+constexpr auto kOfInsert = std::to_array<RequiredGroup>({{2, "name of the block"}, {10, "X"}, {20, "Y"}});
 constexpr auto kOfVertex = std::to_array<RequiredGroup>({{10, "X"}, {20, "Y"}});
 
 std::span<const RequiredGroup> required(EntityKind kind) {
@@ -80,6 +89,10 @@ std::span<const RequiredGroup> required(EntityKind kind) {
     return kOfArc;
   case EntityKind::Circle:
     return kOfCircle;
+  case EntityKind::Ellipse:
+    return kOfEllipse;
+  case EntityKind::Insert:
+    return kOfInsert;
   case EntityKind::LwPolyline:
   case EntityKind::Vertex:
     return kOfVertex;
@@ -106,6 +119,14 @@ Problem lacks(const Entity& entity, const RequiredGroup& group) {
   return Problem(
       Code::DxfEntityIncomplete,
       {{"entity", std::string(entity.type)}, {"group", std::int64_t{group.code}}, {"what", std::string(group.what)}});
+}
+
+Problem announcesAnother(const Entity& entity, std::int64_t announced, std::string what, std::int64_t found) {
+  return Problem(Code::DxfVertexCount, {{"entity", std::string(entity.type)},
+                                        {"announced", announced},
+                                        {"what", std::move(what)},
+                                        {"found", found}})
+      .onLine(entity.line);
 }
 
 Problem twice(const Entity& entity, int code) {
@@ -146,6 +167,9 @@ std::optional<Problem> EntityCheck::take(const Group& group) {
   if (isReal(group.code)) {
     return takeReal(group);
   }
+  if (group.code == 2 && m_entity.kind == EntityKind::Insert) {
+    m_seen |= bit(group.code);
+  }
   return isInteger(group.code) ? takeInteger(group) : std::nullopt;
 }
 
@@ -164,14 +188,40 @@ std::optional<Problem> EntityCheck::takeReal(const Group& group) {
     return Problem(Code::DxfEntityValue,
                    {{"entity", std::string(m_entity.type)}, {"what", "the radius"}, {"value", *number}});
   }
-  if (group.code == 30 && m_entity.kind == EntityKind::Vertex) {
-    m_entity.heights = {*number, *number};
-  } else if ((group.code == 30 || group.code == 31) && m_entity.kind == EntityKind::Line) {
-    m_entity.heights.at(static_cast<std::size_t>(group.code - 30)) = *number;
+  if (group.code == 40 && m_entity.kind == EntityKind::Ellipse && *number <= 0) {
+    return Problem(Code::DxfEntityValue,
+                   {{"entity", std::string(m_entity.type)}, {"what", "a ratio of axes of"}, {"value", *number}});
+  }
+  if (group.code == 30 || group.code == 31) {
+    noteHeight(group.code, *number);
   } else if (group.code >= 210 && group.code <= 230 && group.code % 10 == 0) {
     m_entity.extrusion.at(static_cast<std::size_t>(group.code / 10 - 21)) = *number;
   }
   return noteSeen(group);
+}
+
+void EntityCheck::noteHeight(int code, double height) {
+  auto& [lowest, highest] = m_entity.heights;
+  switch (m_entity.kind) {
+  case EntityKind::Vertex:
+    lowest = height;
+    highest = height;
+    break;
+  case EntityKind::Line:
+    (code == 30 ? lowest : highest) = height;
+    break;
+  case EntityKind::Ellipse:
+    highest = code == 31 ? height : highest;
+    break;
+  case EntityKind::Spline: {
+    const bool isFirst = (m_seen & (bit(30) | bit(31))) == 0;
+    lowest = isFirst ? height : std::min(lowest, height);
+    highest = isFirst ? height : std::max(highest, height);
+    break;
+  }
+  default:
+    break;
+  }
 }
 
 std::optional<Problem> EntityCheck::takeInteger(const Group& group) {
@@ -188,6 +238,15 @@ std::optional<Problem> EntityCheck::takeInteger(const Group& group) {
     break;
   case 70:
     m_entity.flags = *number;
+    break;
+  case 72:
+    m_spline.announcedKnots = *number;
+    break;
+  case 73:
+    m_spline.announcedControls = *number;
+    break;
+  case 74:
+    m_spline.announcedFits = *number;
     break;
   case 90:
     if (m_entity.kind == EntityKind::LwPolyline) {
@@ -206,6 +265,9 @@ std::optional<Problem> EntityCheck::noteSeen(const Group& group) {
   }
   if (m_entity.kind == EntityKind::LwPolyline) {
     return noteVertex(group.code);
+  }
+  if (m_entity.kind == EntityKind::Spline) {
+    return noteSplineGroup(group.code);
   }
   if ((m_seen & bit(group.code)) != 0) { // the name of an entity between them was lost
     return twice(m_entity, group.code);
@@ -230,6 +292,31 @@ std::optional<Problem> EntityCheck::noteVertex(int code) {
   return std::nullopt;
 }
 
+std::optional<Problem> EntityCheck::noteSplineGroup(int code) {
+  const auto next = [this](std::array<std::int64_t, 2>& points, std::size_t ordinate) -> std::optional<Problem> {
+    if (points[0] != points[1] + static_cast<std::int64_t>(ordinate)) {
+      return ordinate == 0 ? lacks(m_entity, kOfVertex[1]) : twice(m_entity, 20);
+    }
+    ++points.at(ordinate);
+    m_entity.vertices += ordinate == 0 ? 1 : 0;
+    return std::nullopt;
+  };
+  const bool repeats = code == 30 || code == 31 || code == 40 || code == 41;
+  if (code == 10 || code == 20) {
+    return next(m_spline.controls, code == 10 ? 0 : 1);
+  }
+  if (code == 11 || code == 21) {
+    return next(m_spline.fits, code == 11 ? 0 : 1);
+  }
+  m_spline.knots += code == 40 ? 1 : 0;
+  m_spline.weights += code == 41 ? 1 : 0;
+  if (!repeats && (m_seen & bit(code)) != 0) {
+    return twice(m_entity, code);
+  }
+  m_seen |= bit(code);
+  return std::nullopt;
+}
+
 std::optional<Problem> EntityCheck::finish() const {
   if (m_entity.kind == EntityKind::Vertex && (m_entity.flags & kMeshFace) != 0) {
     return std::nullopt;
@@ -239,15 +326,35 @@ std::optional<Problem> EntityCheck::finish() const {
       return lacks(m_entity, group).onLine(m_entity.line);
     }
   }
+  if (m_entity.kind == EntityKind::Spline) {
+    return finishSpline();
+  }
   if (m_ordinates != m_entity.vertices) {
     return lacks(m_entity, kOfVertex[1]).onLine(m_entity.line);
   }
   if (m_announcedVertices.value_or(m_entity.vertices) != m_entity.vertices) {
-    return Problem(Code::DxfVertexCount, {{"entity", std::string(m_entity.type)},
-                                          {"announced", *m_announcedVertices},
-                                          {"what", "vertices"},
-                                          {"found", m_entity.vertices}})
-        .onLine(m_entity.line);
+    return announcesAnother(m_entity, *m_announcedVertices, "vertices", m_entity.vertices);
+  }
+  return std::nullopt;
+}
+
+// A count that is not there announces nothing.
+std::optional<Problem> EntityCheck::finishSpline() const {
+  const SplineCounts& n = m_spline;
+  if (n.controls[0] != n.controls[1] || n.fits[0] != n.fits[1]) {
+    return lacks(m_entity, kOfVertex[1]).onLine(m_entity.line);
+  }
+  if (n.controls[0] + n.fits[0] == 0) {
+    return lacks(m_entity, kOfVertex[0]).onLine(m_entity.line);
+  }
+  if (n.announcedKnots.value_or(n.knots) != n.knots) {
+    return announcesAnother(m_entity, *n.announcedKnots, "knots", n.knots);
+  }
+  if (n.announcedControls.value_or(n.controls[0]) != n.controls[0]) {
+    return announcesAnother(m_entity, *n.announcedControls, "control points", n.controls[0]);
+  }
+  if (n.announcedFits.value_or(n.fits[0]) != n.fits[0]) {
+    return announcesAnother(m_entity, *n.announcedFits, "fit points", n.fits[0]);
   }
   return std::nullopt;
 }

@@ -1,8 +1,10 @@
 #include "core/pattern/dxf_gate.h"
 
+#include "core/pattern/binary_dxf.h"
 #include "core/pattern/units.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace arris::pattern {
 namespace {
@@ -10,9 +12,6 @@ namespace {
 using base::Code;
 using base::Problem;
 using base::Unexpected;
-
-/// A coordinate or radius above this is absurd for a pane of glass, mm (10 km). Below it a double resolves 2 nm.
-constexpr double kMostCoordinate = 1e7;
 
 Problem sectionProblem(std::string reason, std::int64_t line) {
   return Problem(Code::DxfSection, {{"reason", std::move(reason)}}).onLine(line);
@@ -30,7 +29,7 @@ public:
   base::Expected<Inventory> inspect();
 
 private:
-  enum class Section { None, Unnamed, Header, Tables, Entities, Other };
+  enum class Section { None, Unnamed, Header, Tables, Blocks, Entities, Other };
 
   // Each step returns what is wrong, if anything.
   using Step = std::optional<Problem>;
@@ -43,6 +42,12 @@ private:
   Step takeVariable(const Group& group);
   void takeLayerGroup(const Group& group);
   void finishLayer();
+  Step takeTypeInBlocks(const Group& group);
+  Step endBlock(const Group& group);
+  void keepBlock();
+  void takeBlockGroup(const Group& group);
+  Step takeEntityGroup(const Group& group);
+  [[nodiscard]] std::vector<Entity>& entities();
   Step beginEntity(const Group& group);
   Step finishEntity();
   void keep(const Entity& entity);
@@ -74,6 +79,7 @@ private:
   };
 
   std::optional<LayerRecord> m_layer;
+  std::optional<Block> m_block;
   bool m_ended = false;
 };
 
@@ -128,7 +134,69 @@ Gate::Step Gate::takeType(const Group& group) {
   if (m_section == Section::Tables && group.value == "LAYER") {
     m_layer = LayerRecord{};
   }
+  if (m_section == Section::Blocks) {
+    return takeTypeInBlocks(group);
+  }
   return m_section == Section::Entities ? beginEntity(group) : std::nullopt;
+}
+
+Gate::Step Gate::takeTypeInBlocks(const Group& group) {
+  if (group.value == "BLOCK") {
+    if (m_block) {
+      return sectionProblem("block " + quoted(m_block->name) + " has no ENDBLK", group.line);
+    }
+    m_block.emplace().line = group.line;
+    return std::nullopt;
+  }
+  if (group.value == "ENDBLK") {
+    return endBlock(group);
+  }
+  if (!m_block) {
+    return sectionProblem(quoted(group.value) + " stands outside of any block", group.line);
+  }
+  return beginEntity(group);
+}
+
+Gate::Step Gate::endBlock(const Group& group) {
+  if (!m_block) {
+    return sectionProblem("ENDBLK without a BLOCK", group.line);
+  }
+  if (m_sequence == Sequence::Polyline) {
+    return sectionProblem("the POLYLINE of line " + std::to_string(m_sequenceLine) + " has no SEQEND", group.line);
+  }
+  m_sequence = Sequence::None;
+  keepBlock();
+  return std::nullopt;
+}
+
+void Gate::keepBlock() {
+  const std::int64_t line = m_block->line;
+  const auto [known, isNew] = m_found.blocks.try_emplace(layerKey(m_block->name), std::move(*m_block));
+  if (!isNew && !known->second.problem) {
+    known->second.problem =
+        Problem(Code::BlockTwice, {{"block", quoted(known->second.name)}, {"first", known->second.line}}).onLine(line);
+  }
+  m_block.reset();
+}
+
+void Gate::takeBlockGroup(const Group& group) {
+  if (group.code == 2) {
+    m_block->name = group.value;
+  } else if (group.code == 70) {
+    m_block->flags = wholeNumber(group.value).value_or(0);
+  } else if (group.code == 10 || group.code == 20) {
+    const std::optional<double> number = finiteNumber(group.value);
+    if (number && std::abs(*number) <= m_mostCoordinate) {
+      m_block->base.at(group.code == 10 ? 0 : 1) = *number;
+    } else if (!m_block->problem) {
+      m_block->problem = Problem(Code::DxfNumber, {{"group", std::int64_t{group.code}}, {"found", quoted(group.value)}})
+                             .onLine(group.line);
+    }
+  }
+}
+
+std::vector<Entity>& Gate::entities() {
+  return m_block ? m_block->entities : m_found.entities;
 }
 
 Gate::Step Gate::beginSection(const Group& group) {
@@ -143,6 +211,9 @@ Gate::Step Gate::beginSection(const Group& group) {
 Gate::Step Gate::endSection(const Group& group) {
   if (m_sequence == Sequence::Polyline) {
     return sectionProblem("the POLYLINE of line " + std::to_string(m_sequenceLine) + " has no SEQEND", group.line);
+  }
+  if (m_block) {
+    return sectionProblem("block " + quoted(m_block->name) + " has no ENDBLK", group.line);
   }
   m_sequence = Sequence::None;
   m_ended = group.value == "EOF";
@@ -176,8 +247,25 @@ Gate::Step Gate::takeGroup(const Group& group) {
       return sectionProblem("group " + std::to_string(group.code) + " belongs to no entity", group.line);
     }
     return m_entity->take(group);
+  case Section::Blocks:
+    if (m_entity) {
+      return takeEntityGroup(group);
+    }
+    if (m_block) {
+      takeBlockGroup(group);
+    }
+    return std::nullopt;
   case Section::Other:
     return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+// Within a block what is wrong does not matter yet.
+Gate::Step Gate::takeEntityGroup(const Group& group) {
+  const Step problem = m_entity->take(group);
+  if (problem && !m_block->problem) {
+    m_block->problem = problem->line ? *problem : Problem(*problem).onLine(group.line);
   }
   return std::nullopt;
 }
@@ -189,9 +277,10 @@ Gate::Step Gate::nameSection(const Group& group) {
   m_sectionName = group.value;
   m_section = group.value == "HEADER"     ? Section::Header
               : group.value == "TABLES"   ? Section::Tables
+              : group.value == "BLOCKS"   ? Section::Blocks
               : group.value == "ENTITIES" ? Section::Entities
                                           : Section::Other;
-  if (m_section == Section::Entities) {
+  if (m_section == Section::Entities || m_section == Section::Blocks) {
     const FoundUnits units = findUnits(m_units, m_found.insUnits, m_found.measurement);
     m_mostCoordinate = kMostCoordinate / millimetresPer(units.units);
   }
@@ -267,10 +356,14 @@ Gate::Step Gate::finishEntity() {
   }
   Step problem = m_entity->finish();
   if (!problem && m_sequence == Sequence::Polyline && m_entity->entity().kind == EntityKind::SequenceEnd &&
-      m_found.entities.back().vertices == 0) {
+      entities().back().vertices == 0) {
     problem =
         Problem(Code::DxfEntityIncomplete, {{"entity", "POLYLINE"}, {"group", std::int64_t{0}}, {"what", "VERTEX"}})
             .onLine(m_sequenceLine);
+  }
+  if (problem && m_block) {
+    m_block->problem = m_block->problem ? m_block->problem : problem;
+    problem.reset();
   }
   if (!problem) {
     keep(m_entity->entity());
@@ -282,23 +375,23 @@ Gate::Step Gate::finishEntity() {
 // A polyline takes its vertices in; an insert may be followed by attributes and their end.
 void Gate::keep(const Entity& entity) {
   if (entity.kind == EntityKind::Vertex) {
-    Entity& polyline = m_found.entities.back();
+    Entity& polyline = entities().back();
     const auto [lowest, highest] = polyline.heights;
     polyline.heights = polyline.vertices == 0
                            ? entity.heights
                            : std::array{std::min(lowest, entity.heights[0]), std::max(highest, entity.heights[0])};
     ++polyline.vertices;
   } else if (entity.kind != EntityKind::SequenceEnd) {
-    m_found.entities.push_back(entity);
+    entities().push_back(entity);
     m_bodyBegin = m_entityBegin;
     m_sequenceLine = entity.line;
-    m_sequence = entity.kind == EntityKind::Polyline                  ? Sequence::Polyline
-                 : entity.type == "INSERT" || entity.type == "ATTRIB" ? Sequence::Attributes
-                                                                      : Sequence::None;
+    m_sequence = entity.kind == EntityKind::Polyline                            ? Sequence::Polyline
+                 : entity.kind == EntityKind::Insert || entity.type == "ATTRIB" ? Sequence::Attributes
+                                                                                : Sequence::None;
   } else {
     m_sequence = Sequence::None;
   }
-  m_found.entities.back().body = m_text.substr(m_bodyBegin, m_beforeGroup - m_bodyBegin);
+  entities().back().body = m_text.substr(m_bodyBegin, m_beforeGroup - m_bodyBegin);
 }
 
 /// What the text is instead of an ASCII DXF file, where its first bytes tell.
@@ -306,9 +399,6 @@ std::optional<Problem> notEvenText(std::string_view text) {
   const auto notDxf = [](std::string reason) { return Problem(Code::DxfNotDxf, {{"reason", std::move(reason)}}); };
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     return Problem(Code::DxfEmpty);
-  }
-  if (text.starts_with("AutoCAD Binary DXF")) {
-    return Problem(Code::DxfBinary);
   }
   if (text.starts_with("AC10")) {
     return notDxf("it is a DWG drawing; save it as ASCII DXF");
@@ -332,6 +422,18 @@ std::optional<Problem> notEvenText(std::string_view text) {
 
 base::Expected<Inventory> inspectDxf(std::string_view text, std::optional<recipe::Units> units) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (isBinaryDxf(text)) {
+    base::Expected<std::string> converted = textOfBinaryDxf(text);
+    if (!converted) {
+      return Unexpected(converted.error());
+    }
+    auto kept = std::make_unique<const std::string>(*std::move(converted));
+    base::Expected<Inventory> found = Gate(*kept, units).inspect();
+    if (found) {
+      found->converted = std::move(kept);
+    }
+    return found;
+  }
   if (text.starts_with(kByteOrderMark)) {
     text.remove_prefix(kByteOrderMark.size());
   }

@@ -47,11 +47,13 @@ void dropConsequencesOfMissing(Problems& problems, const Problems& ofEntities) {
 Pattern readInventory(const Inventory& inventory, const ImportOptions& options) {
   const FoundUnits units = findUnits(options.units, inventory.insUnits, inventory.measurement);
   const double scale = millimetresPer(units.units);
-  Selection selection = selectEntities(inventory, scale);
-  ReadEntities read = readEntities(selection.entities, scale);
+  Selection selection = selectEntities(inventory, options.layers, scale);
+  ReadEntities read = readEntities(selection);
   append(selection.problems, read.problems);
 
-  Pattern pattern = joinPieces(Pieces(std::move(read.pieces)), options.gap, options.smooth);
+  Pattern pattern = joinPieces(std::move(read.pieces), options.gap, options.smooth);
+  append(pattern.repairs, read.repairs);
+  sortByPlace(pattern.repairs);
   pattern.units = units.units;
   pattern.unitsFrom = units.from;
   pattern.entities = std::move(selection.counts);
@@ -86,20 +88,23 @@ Pattern readDxf(std::string_view text, const ImportOptions& options) {
   }
 }
 
-Pattern joinPieces(Pieces pieces, double gap, [[maybe_unused]] double smooth) {
+Pattern joinPieces(Pieces pieces, double gap, double smooth) {
   Chains chains = chainPieces(std::move(pieces), gap);
   Pattern pattern;
   pattern.loose = std::move(chains.loose);
   pattern.repairs = std::move(chains.repairs);
   pattern.problems = std::move(chains.problems);
+  Problems notes;
   for (std::vector<Curve>& chain : chains.closed) {
-    pattern.contours.push_back(makeContour(std::move(chain)));
+    const int number = static_cast<int>(pattern.contours.size()) + 1;
+    pattern.contours.push_back(makeContour(number, std::move(chain), smooth, notes));
   }
   takeOutCopies(pattern.contours, pattern.repairs);
-  sortContours(pattern.contours);
+  sortContours(pattern.contours, notes);
   if (pattern.contours.empty() && pattern.problems.empty()) {
     pattern.problems.emplace_back(Code::NoContour);
   }
+  append(pattern.problems, notes);
   append(pattern.problems, checkContours(pattern.contours));
   sortByPlace(pattern.repairs);
   sortByPlace(pattern.problems);

@@ -2,6 +2,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/tolerances.h"
+#include "core/geometry/biarc.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,10 +97,7 @@ double shiftAlongArc(double turn, double curvature, double lineLength) {
 }
 
 /// Point and direction of travel where a curve is cut, seen from the joint: small numbers keep their digits.
-struct CutEnd {
-  Point point;
-  Vector tangent;
-};
+using CutEnd = geometry::Station;
 
 CutEnd alongFromJoint(const Vector& tangent, double curvature, double way) {
   if (curvature == 0) {
@@ -116,37 +114,6 @@ CutEnd beforeJoint(const Curve& curve, double cut) {
 
 CutEnd afterJoint(const Curve& curve, double cut) {
   return alongFromJoint(geometry::startTangent(curve), curvatureOf(curve), cut);
-}
-
-/// The arc from a point in a given direction to another point; a line where that lies straight ahead.
-Curve arcFrom(const Point& from, const Vector& tangent, const Point& to) {
-  const Vector chord = to - from;
-  const double length = chord.norm();
-  const double half = geometry::turn(tangent, chord);
-  if (half == 0) {
-    return Line{from, to};
-  }
-  const double curvature = 2 * std::sin(half) / length;
-  return Arc{from, tangent, curvature, 2 * half / curvature};
-}
-
-// Two arcs that meet half-way between the ends of equally long tangents: |v|² = 2d v·(t₁+t₂) + 2d²(1 − t₁·t₂).
-std::vector<Curve> biarc(const CutEnd& start, const CutEnd& end) {
-  const Vector v = end.point - start.point;
-  const double along = v.dot(start.tangent + end.tangent);
-  const double bend = (start.tangent - end.tangent).squaredNorm(); // 2(1 − t₁·t₂) without cancellation
-  const double d = v.squaredNorm() / (along + std::sqrt(squared(along) + bend * v.squaredNorm()));
-  const Point middle = (start.point + d * start.tangent + end.point - d * end.tangent) / 2;
-  const Curve first = arcFrom(start.point, start.tangent, middle);
-  const Curve second = geometry::reversed(arcFrom(end.point, -end.tangent, middle));
-  const auto* a = std::get_if<Arc>(&first);
-  const auto* b = std::get_if<Arc>(&second);
-  const double length = geometry::parameterLength(first) + geometry::parameterLength(second);
-  if (a && b && std::abs(a->curvature - b->curvature) * length * std::max(1.0, length) < kUnnoticed) {
-    const double sweep = a->sweep() + b->sweep();
-    return {Arc{start.point, start.tangent, sweep / length, length}};
-  }
-  return {first, second};
 }
 
 Curve shifted(const Curve& curve, const Point& by) {
@@ -225,10 +192,15 @@ private:
     }
     const Point joint = geometry::startPoint(m_chain[i]);
     double nearest = std::numeric_limits<double>::infinity();
-    for (const Curve& curve :
-         biarc(beforeJoint(m_chain[previous(i)], m_cuts[i].before), afterJoint(m_chain[i], m_cuts[i].after))) {
+    const auto append = [&](const Curve& curve) {
       nearest = std::min(nearest, geometry::nearest(curve, Point::Zero()).distance);
       out.push_back(shifted(curve, joint));
+    };
+    const geometry::Biarc bridge = geometry::biarcBetween(beforeJoint(m_chain[previous(i)], m_cuts[i].before),
+                                                          afterJoint(m_chain[i], m_cuts[i].after));
+    append(bridge.first);
+    if (bridge.second) {
+      append(*bridge.second);
     }
     m_deviation = std::max(m_deviation, nearest);
   }

@@ -17,7 +17,7 @@ using base::Problem;
 using geometry::Curve;
 using geometry::Point;
 
-/// A part of an edge that the wheel touches, and where the wheel is at its ends.
+/// A part of an edge that the wheel touches, or the corner at its end, and where the wheel is at both ends of that.
 struct Touched {
   EdgeId edge = 0;
   Stretch ground;
@@ -30,26 +30,31 @@ double lengthOf(const Glass& glass, EdgeId edge) {
 }
 
 /// All that is touched, along the rings.
-std::vector<Touched> touchedParts(const std::vector<WheelLoop>& loops) {
+std::vector<Touched> touchedParts(const Glass& glass, const std::vector<WheelLoop>& loops) {
   std::vector<Touched> touched;
   for (const WheelLoop& loop : loops) {
     for (const Step& step : loop.steps) {
-      if (step.role == Role::Contour) {
-        touched.push_back({step.edge, step.ground, geometry::startPoint(step.path), geometry::endPoint(step.path)});
+      const bool isCorner = step.role != Role::Contour;
+      if (isCorner && glass.jointAfter(step.edge) != JointKind::Convex) {
+        continue; // the arc in a concave corner
       }
+      const double end = lengthOf(glass, step.edge);
+      touched.push_back({step.edge, isCorner ? Stretch{end, end} : step.ground, geometry::startPoint(step.path),
+                         geometry::endPoint(step.path)});
     }
   }
   const auto place = [](const Touched& t) { return std::tuple(t.edge, t.ground.from); };
-  std::sort(touched.begin(), touched.end(), [&](const Touched& a, const Touched& b) { return place(a) < place(b); });
+  std::stable_sort(touched.begin(), touched.end(), [&](const Touched& a, const Touched& b) { return place(a) < place(b); });
   return touched;
 }
 
 /// What lies between two touched places, along the ring.
 class Gap {
 public:
-  Gap(const Glass& glass, const Touched& before, const Touched& after) : m_before(before), m_after(after) {
-    const bool onOneEdge = before.edge == after.edge && after.ground.from >= before.ground.to;
-    if (onOneEdge) {
+  /// `acrossStart`: the ring's first touched part comes after its last.
+  Gap(const Glass& glass, const Touched& before, const Touched& after, bool acrossStart)
+      : m_before(before), m_after(after) {
+    if (before.edge == after.edge && !acrossStart) {
       add(glass, before.edge, before.ground.to, after.ground.from);
       return;
     }
@@ -111,7 +116,7 @@ private:
 class Finder {
 public:
   Finder(const Glass& glass, const std::vector<WheelLoop>& loops, const recipe::Recipe& recipe)
-      : m_glass(glass), m_recipe(recipe), m_touched(touchedParts(loops)) {
+      : m_glass(glass), m_recipe(recipe), m_touched(touchedParts(glass, loops)) {
     for (const WheelLoop& loop : loops) {
       for (std::size_t i = 0; i < loop.corners.size(); ++i) {
         if (loop.corners[i].kind == CornerKind::Concave) {
@@ -143,7 +148,7 @@ private:
       if (closesOnItself) {
         continue;
       }
-      const Gap gap(m_glass, *t, *next);
+      const Gap gap(m_glass, *t, *next, t + 1 == to);
       if (gap.parts().empty()) {
         continue;
       }

@@ -196,7 +196,7 @@ Ring starRing(const Limits& limits, Dice& dice) {
 /// Whether the arcs that bulge beyond the corners stay in the disc too.
 bool isWithin(const Ring& ring, double disc) {
   return std::all_of(ring.begin(), ring.end(), [disc](const Side& side) {
-    const Curve& curve = std::get<Curve>(side);
+    const auto& curve = std::get<Curve>(side);
     for (int i = 0; i <= 24; ++i) {
       if (geometry::pointAt(curve, geometry::parameterLength(curve) * i / 24).norm() > disc) {
         return false;

@@ -82,6 +82,13 @@ QString reasonText(toolpath::Reason reason) {
         "Corner", "Sharp, but the wheel cannot lift clear of the tip: it takes the transition path all the same.");
   case toolpath::Reason::BluntWithoutRelief:
     return QCoreApplication::translate("Corner", "Blunt, so not fragile: the wheel rolls round the corner.");
+  case toolpath::Reason::TransitionBlocked:
+    return QCoreApplication::translate(
+        "Corner", "Other glass is in the way of a transition path: the wheel rolls round the corner.");
+  case toolpath::Reason::ConcaveShallow:
+    return QCoreApplication::translate("Corner", "Concave, but shallow: an arc takes the place of the path's kink.");
+  case toolpath::Reason::ConcaveDeep:
+    return QCoreApplication::translate("Corner", "Concave: the wheel stops where it touches both edges.");
   }
   return {};
 }

@@ -57,7 +57,7 @@ const std::vector<const char*>& problemTemplates() {
       QT_TRANSLATE_NOOP("Problem", "{name} is \"{value}\"; it must be one of: {choices}."),
       QT_TRANSLATE_NOOP("Problem", "{file} is not a profile of Arris: {reason}."),
       QT_TRANSLATE_NOOP("Problem", "The pattern file is empty."),
-      QT_TRANSLATE_NOOP("Problem", "This is a binary DXF file, which is not read yet; save it as ASCII DXF."),
+      QT_TRANSLATE_NOOP("Problem", "The binary DXF file is damaged: {reason}."),
       QT_TRANSLATE_NOOP("Problem", "This is not a DXF file: {reason}."),
       QT_TRANSLATE_NOOP("Problem", "The lines end in carriage returns alone; save the file with LF or CR LF."),
       QT_TRANSLATE_NOOP("Problem", "A group code is expected here, not {found}."),
@@ -69,11 +69,26 @@ const std::vector<const char*>& problemTemplates() {
       QT_TRANSLATE_NOOP("Problem", "{entity} announces {announced} {what} but has {found}."),
       QT_TRANSLATE_NOOP("Problem", "{entity} lacks group {group} ({what})."),
       QT_TRANSLATE_NOOP("Problem", "{entity} has {what} {value}, which cannot be."),
+      QT_TRANSLATE_NOOP("Problem",
+                        "Block {block} is defined twice, first on line {first}; give one of them another name."),
       QT_TRANSLATE_NOOP("Problem", "The file does not say its unit; millimetres are assumed."),
       QT_TRANSLATE_NOOP("Problem", "The file gives its unit as number {number}, which is not mm, cm, m, inch or foot; "
                                    "say the unit with --units."),
       QT_TRANSLATE_NOOP("Problem", "{count} × {entity} not read yet; the contour would lack it."),
       QT_TRANSLATE_NOOP("Problem", "{count} × {entity} not flat in a plane parallel to the XY plane."),
+      QT_TRANSLATE_NOOP("Problem",
+                        "{count} × INSERT of block {entity}, which the file does not have; explode it before saving."),
+      QT_TRANSLATE_NOOP(
+          "Problem",
+          "Block {block} inserts itself here, or blocks are nested more than {most} deep; explode it before saving."),
+      QT_TRANSLATE_NOOP(
+          "Problem", "INSERT of block {entity} would make more than {most} pieces of the drawing; draw fewer copies."),
+      QT_TRANSLATE_NOOP("Problem", "The SPLINE is no curve: {reason}."),
+      QT_TRANSLATE_NOOP(
+          "Problem",
+          "From here on the curves of the drawing are too long or too many to follow with arcs ({most} steps)."),
+      QT_TRANSLATE_NOOP("Problem", "{entity} lies {distance_mm} mm away, which is absurd for a pane of glass "
+                                   "(more than {most_mm} mm)."),
       QT_TRANSLATE_NOOP("Problem", "{count} × {entity} passed over: {reason}."),
       QT_TRANSLATE_NOOP("Problem", "{count} more of {code} are not listed."),
       QT_TRANSLATE_NOOP("Problem", "A doubled piece of {size_mm} mm was removed."),
@@ -86,8 +101,9 @@ const std::vector<const char*>& problemTemplates() {
           "Problem",
           "A single piece, its ends {length_mm} mm apart, belongs to no contour; it may lie on top of another."),
       QT_TRANSLATE_NOOP("Problem", "{count} pieces meet here; a contour cannot branch."),
-      QT_TRANSLATE_NOOP("Problem", "A piece ends here on another one, between that one's ends; a contour cannot "
-                                   "branch. Remove one of them."),
+      QT_TRANSLATE_NOOP(
+          "Problem",
+          "A piece ends here on another one, between that one's ends; a contour cannot branch. Remove one of them."),
       QT_TRANSLATE_NOOP("Problem", "The drawing has no closed contour."),
       QT_TRANSLATE_NOOP("Problem", "The contour encloses no area."),
       QT_TRANSLATE_NOOP("Problem", "The contour crosses or touches itself here."),
@@ -96,29 +112,40 @@ const std::vector<const char*>& problemTemplates() {
       QT_TRANSLATE_NOOP("Problem",
                         "The {count} joints from here on look like the chords of a curve but stay corners: they are "
                         "joined from a smoothing tolerance of {needed_mm} mm on (now {tolerance_mm} mm)."),
-      QT_TRANSLATE_NOOP("Problem",
-                        "The contour has a concave corner of {angle_deg}° here; such corners cannot be ground yet."),
       QT_TRANSLATE_NOOP(
           "Problem",
           "The contour turns back on itself here, in a tip of {angle_deg}°; that is a mistake of the drawing."),
       QT_TRANSLATE_NOOP(
-          "Problem", "The wheel of {wheel_mm} mm radius does not fit into the hollow of {radius_mm} mm radius here."),
+          "Problem",
+          "The wheel of {wheel_mm} mm radius does not reach {length_mm} mm of the contour here; up to {left_mm} mm of "
+          "glass would stay. Take a wheel of at most {largest_mm} mm, or accept that this stays unground."),
+      QT_TRANSLATE_NOOP("Problem", "The wheel of {wheel_mm} mm radius does not reach {length_mm} mm of the contour "
+                                   "here; up to {left_mm} mm of glass stay. A wheel of at most {largest_mm} mm would."),
+      QT_TRANSLATE_NOOP("Problem", "The wheel of {wheel_mm} mm radius does not reach this contour of {length_mm} mm at "
+                                   "all. Take a wheel of less than {largest_mm} mm, or accept that it stays unground."),
+      QT_TRANSLATE_NOOP("Problem", "This contour of {length_mm} mm stays unground: the wheel of {wheel_mm} mm radius "
+                                   "does not reach it. A wheel of less than {largest_mm} mm would."),
+      QT_TRANSLATE_NOOP("Problem", "The wheel of {wheel_mm} mm radius reaches no contour at all."),
+      QT_TRANSLATE_NOOP("Problem", "Corner {corner} is concave: the wheel leaves {fillet_mm} mm of glass before it, "
+                                   "and {unground_mm} mm of its edges are not ground."),
       QT_TRANSLATE_NOOP(
-          "Problem", "The wheel would touch another part of the glass here: {distance_mm} mm from the wheel's centre."),
+          "Problem",
+          "Corner {corner}: a transition would touch other glass here; the wheel rolls round the corner instead."),
+      QT_TRANSLATE_NOOP("Problem",
+                        "A size correction of {correction_mm} mm would change the shape of the contour here."),
       QT_TRANSLATE_NOOP(
           "Problem",
           "Corner {corner}: the wheel lifts by {lift_mm} mm, less than the {depth_mm} mm of glass at the tip."),
       QT_TRANSLATE_NOOP("Problem", "Corner {corner} takes {time_s} s."),
-      QT_TRANSLATE_NOOP("Problem", "The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the "
-                                   "glass and has {distance_mm} mm. Start on a longer edge away from sharp "
-                                   "corners, or change the lead's radius."),
+      QT_TRANSLATE_NOOP(
+          "Problem", "The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the glass and has "
+                     "{distance_mm} mm. Start on a longer edge away from sharp corners, or change the lead's radius."),
       QT_TRANSLATE_NOOP("Problem", "The overlap is {used_mm} mm, a quarter of the contour, instead of {wanted_mm} mm."),
       QT_TRANSLATE_NOOP("Problem", "The wheel path leaves the travel of the machine by {excess_mm} mm: {what}."),
       QT_TRANSLATE_NOOP("Problem", "The wheel's lower face would be {height_mm} mm above the table while grinding; it "
                                    "must stay {least_mm} mm above."),
-      QT_TRANSLATE_NOOP("Problem",
-                        "At the park position the wheel's lower face would be {height_mm} mm above the table, "
-                        "over or beside the glass; it must be {least_mm} mm above."),
+      QT_TRANSLATE_NOOP("Problem", "At the park position the wheel's lower face would be {height_mm} mm above the "
+                                   "table, over or beside the glass; it must be {least_mm} mm above."),
       QT_TRANSLATE_NOOP("Problem", "The {what} height of {height_mm} mm is outside the travel of 0 to {most_mm} mm."),
       QT_TRANSLATE_NOOP("Problem",
                         "The grinding height of {height_mm} mm is above the clearance height of {clearance_mm} mm."),
@@ -153,6 +180,32 @@ const std::vector<const char*>& problemWords() {
       QT_TRANSLATE_NOOP("ProblemWord", "the POLYLINE of line {} has no SEQEND"),
       QT_TRANSLATE_NOOP("ProblemWord", "the POLYLINE of line {} has no SEQEND before {}"),
       QT_TRANSLATE_NOOP("ProblemWord", "{} without a POLYLINE before it"),
+      QT_TRANSLATE_NOOP("ProblemWord", "knots"),
+      QT_TRANSLATE_NOOP("ProblemWord", "control points"),
+      QT_TRANSLATE_NOOP("ProblemWord", "fit points"),
+      QT_TRANSLATE_NOOP("ProblemWord", "X of its major axis"),
+      QT_TRANSLATE_NOOP("ProblemWord", "Y of its major axis"),
+      QT_TRANSLATE_NOOP("ProblemWord", "ratio of its axes"),
+      QT_TRANSLATE_NOOP("ProblemWord", "a ratio of axes of"),
+      QT_TRANSLATE_NOOP("ProblemWord", "name of the block"),
+      QT_TRANSLATE_NOOP("ProblemWord", "a major axis of"),
+      QT_TRANSLATE_NOOP("ProblemWord", "layer {} is not chosen"),
+      QT_TRANSLATE_NOOP("ProblemWord", "block {} has no ENDBLK"),
+      QT_TRANSLATE_NOOP("ProblemWord", "{} stands outside of any block"),
+      QT_TRANSLATE_NOOP("ProblemWord", "ENDBLK without a BLOCK"),
+      QT_TRANSLATE_NOOP("ProblemWord", "its first line is broken"),
+      QT_TRANSLATE_NOOP("ProblemWord", "byte {} begins no group"),
+      QT_TRANSLATE_NOOP("ProblemWord", "it ends within the group at byte {}"),
+      QT_TRANSLATE_NOOP("ProblemWord", "its degree is {}; up to {} are read"),
+      QT_TRANSLATE_NOOP("ProblemWord", "it has {} control points and needs {}"),
+      QT_TRANSLATE_NOOP("ProblemWord", "it has {} knots and needs {}"),
+      QT_TRANSLATE_NOOP("ProblemWord", "its knots fall from {} to {}"),
+      QT_TRANSLATE_NOOP("ProblemWord", "its knots are all the same"),
+      QT_TRANSLATE_NOOP("ProblemWord", "it has {} weights and needs {}"),
+      QT_TRANSLATE_NOOP("ProblemWord", "it has a weight of {}, which is not positive"),
+      QT_TRANSLATE_NOOP("ProblemWord", "its weights reach from {} to {}"),
+      QT_TRANSLATE_NOOP("ProblemWord", "it breaks apart"),
+      QT_TRANSLATE_NOOP("ProblemWord", "its points are all the same"),
       QT_TRANSLATE_NOOP("ProblemWord", "group {} belongs to no entity"),
       QT_TRANSLATE_NOOP("ProblemWord", "group {} stands outside of any section"),
       QT_TRANSLATE_NOOP("ProblemWord", "{} stands outside of any section"),

@@ -72,6 +72,9 @@ std::vector<CornerCard::Row> CornerCard::rowsOf(const job::Job& job, const toolp
         {tr("Relief"), (corner.relief ? tr("yes: lifts %1, needs %2 mm") : tr("no: lifts %1, needs %2 mm"))
                            .arg(number(corner.widest - job.recipe.wheelRadius, 3), number(corner.tipDepth, 3))},
     };
+  } else if (corner.kind == toolpath::CornerKind::Concave) {
+    rows = {{tr("Glass left"), tr("%1 mm before the corner").arg(number(corner.fillet, 3))},
+            {tr("Not ground"), tr("%1 mm of its edges").arg(number(corner.unground, 3))}};
   } else {
     rows = {{tr("Radius of the roll"), tr("%1 mm").arg(number(corner.widest, 3))}};
   }

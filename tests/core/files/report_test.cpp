@@ -215,7 +215,7 @@ TEST(Report, OfAnImportTellsWhatWasFoundRepairedAndWrong) {
   EXPECT_EQ(r["problems"][1]["where_mm"], Json::parse("[-3.5, 4.0]"));
   EXPECT_EQ(r["problems"][1]["contour"], 1);
   EXPECT_EQ(r["problems"][1]["largest_wheel_mm"], 20.0);
-  EXPECT_EQ(r["problems"][1]["values"], Json::parse(R"({"wheel_mm": 75.0, "radius_mm": 20.0})"));
+  EXPECT_EQ(r["problems"][1]["values"], Json::parse(R"({"wheel_mm": 75.0, "length_mm": 20.0})"));
 }
 
 TEST(Report, PlacesOfRepairsAreOnTheTableOnceThePaneIs) {

@@ -43,6 +43,15 @@ Point startOf(const Toolpath& toolpath) {
   return geometry::startPoint(toolpath.chains.front().segments.at(1).shape);
 }
 
+/// The one problem of this code.
+base::Problem onlyOf(const Toolpath& toolpath, Code code) {
+  base::Problems found;
+  std::copy_if(toolpath.problems.begin(), toolpath.problems.end(), std::back_inserter(found),
+               [code](const base::Problem& problem) { return problem.code == code; });
+  EXPECT_EQ(found.size(), 1U);
+  return found.empty() ? base::Problem() : found.front();
+}
+
 void expectAt(const Point& actual, const Point& expected, double within = 1e-9) {
   EXPECT_LT((actual - expected).norm(), within) << actual.transpose() << " instead of " << expected.transpose();
 }
@@ -176,9 +185,7 @@ TEST(Toolpath, RefusesAHollowThatIsTighterThanTheWheelAndNamesTheWheelThatFits) 
   Recipe recipe;
   recipe.wheelRadius = 250.5;
   const Toolpath toolpath = toolpathOf(hollow(250), recipe);
-  ASSERT_EQ(toolpath.problems.size(), 1U);
-  const base::Problem& problem = toolpath.problems.front();
-  EXPECT_EQ(problem.code, Code::Unreached);
+  const base::Problem problem = onlyOf(toolpath, Code::Unreached);
   EXPECT_NEAR(problem.largestWheel.value_or(0), 250, 1e-6);
   // Between the tips the wheel sags by r − √(r² − 200²).
   const double left = (250 - std::sqrt(250.0 * 250 - 40000)) - (250.5 - std::sqrt(250.5 * 250.5 - 40000));
@@ -201,8 +208,14 @@ TEST(Toolpath, RefusesAWheelThatWouldTouchTheGlassAcrossAGap) {
                                   Line{Point(-60, 200 * std::cos(half)), Point(-60, 400 * std::cos(outer))}};
   const Toolpath toolpath = toolpathOf(test::paneOf(curves));
   EXPECT_EQ(toolpath.chains.size(), 2U); // round the ring, and inside it from above
-  ASSERT_THAT(toolpath.problems, Contains(Field(&base::Problem::code, Code::Unreached)));
-  EXPECT_NEAR(toolpath.problems.front().largestWheel.value_or(0), 60, 1e-6);
+  int sides = 0;
+  for (const base::Problem& problem : toolpath.problems) {
+    if (problem.code == Code::Unreached) {
+      EXPECT_NEAR(problem.largestWheel.value_or(0), 60, 1e-6);
+      ++sides;
+    }
+  }
+  EXPECT_EQ(sides, 2); // of the gap
 }
 
 TEST(Toolpath, RefusesASpike) {

@@ -1,0 +1,124 @@
+#include "core/pattern/fit_chords.h"
+
+#include "core/pattern/chopped_joints.h"
+#include "core/pattern/fit_run.h"
+
+#include <algorithm>
+
+namespace arris::pattern {
+namespace {
+
+using base::Code;
+using base::Problem;
+using geometry::Curve;
+using geometry::Line;
+
+class ChordFitter {
+public:
+  ChordFitter(const std::vector<Curve>& chain, double tolerance)
+      : m_chain(chain), m_tolerance(tolerance), m_joints(findChoppedJoints(chain, tolerance)) {
+    m_fit.notes = std::move(m_joints.notes);
+  }
+
+  /// The fitted chain.
+  std::vector<Curve> fit() {
+    const std::size_t n = m_chain.size();
+    const std::size_t start = firstEnd();
+    if (start == n) {
+      fitRunOf(0, n, true);
+      return std::move(m_fitted);
+    }
+    for (std::size_t i = start; i < start + n;) {
+      std::size_t end = i + 1;
+      while (end < start + n && !endsRun(end % n)) {
+        ++end;
+      }
+      fitRunOf(i, end, false);
+      i = end;
+    }
+    return std::move(m_fitted);
+  }
+
+  [[nodiscard]] ChordFit result() const {
+    return m_fit;
+  }
+
+private:
+  [[nodiscard]] const Curve& curve(std::size_t i) const {
+    return m_chain[i % m_chain.size()];
+  }
+
+  [[nodiscard]] bool isLine(std::size_t i) const {
+    return std::holds_alternative<Line>(curve(i));
+  }
+
+  /// Whether the joint at the start of a curve stays as it is, or an arc begins or ends there.
+  [[nodiscard]] bool endsRun(std::size_t i) const {
+    return !m_joints.smooth[i] || !isLine(i) || !isLine(i + m_chain.size() - 1);
+  }
+
+  [[nodiscard]] std::size_t firstEnd() const {
+    std::size_t i = 0;
+    while (i < m_chain.size() && !endsRun(i)) {
+      ++i;
+    }
+    return i;
+  }
+
+  void fitRunOf(std::size_t begin, std::size_t end, bool closed) {
+    if (end - begin > 1) {
+      const ChordRun run = runOf(begin, end, closed);
+      const FittedRun fitted = fitRun(run, m_tolerance);
+      if (fitted.deviation <= m_tolerance) {
+        m_fitted.insert(m_fitted.end(), fitted.curves.begin(), fitted.curves.end());
+        m_fit.deviation = std::max(m_fit.deviation, fitted.deviation);
+        return;
+      }
+      m_fit.notes.push_back(Problem(Code::ChordsTooCoarse, {{"count", static_cast<std::int64_t>(end - begin - 1)},
+                                                            {"needed_mm", fitted.deviation},
+                                                            {"tolerance_mm", m_tolerance}})
+                                .at(run.vertices[1]));
+    }
+    for (std::size_t i = begin; i < end; ++i) {
+      m_fitted.push_back(curve(i));
+    }
+  }
+
+  [[nodiscard]] ChordRun runOf(std::size_t begin, std::size_t end, bool closed) const {
+    const std::size_t n = m_chain.size();
+    ChordRun run;
+    run.closed = closed;
+    run.vertices.reserve(end - begin + 1);
+    for (std::size_t i = begin; i < end; ++i) {
+      run.vertices.push_back(geometry::startPoint(curve(i)));
+    }
+    run.vertices.push_back(geometry::endPoint(curve(end - 1)));
+    if (!closed && m_joints.smooth[begin % n] && !isLine(begin + n - 1)) {
+      run.startTangent = geometry::endTangent(curve(begin + n - 1));
+    }
+    if (!closed && m_joints.smooth[end % n] && !isLine(end)) {
+      run.endTangent = geometry::startTangent(curve(end));
+    }
+    return run;
+  }
+
+  const std::vector<Curve>& m_chain;
+  double m_tolerance;
+  ChoppedJoints m_joints;
+  std::vector<Curve> m_fitted;
+  ChordFit m_fit;
+};
+
+} // namespace
+
+ChordFit fitChords(std::vector<Curve>& closedChain, double tolerance) {
+  if (closedChain.size() < 3) {
+    return {};
+  }
+  ChordFitter fitter(closedChain, tolerance);
+  std::vector<Curve> fitted = fitter.fit();
+  closedChain = std::move(fitted);
+  return fitter.result();
+}
+
+} // namespace arris::pattern

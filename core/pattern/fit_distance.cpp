@@ -1,0 +1,102 @@
+#include "core/pattern/fit_distance.h"
+
+#include "core/base/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace arris::pattern {
+namespace {
+
+using geometry::Arc;
+using geometry::Biarc;
+using geometry::Curve;
+using geometry::Line;
+using geometry::Point;
+using geometry::Vector;
+
+double curvatureOfFit(const Curve& curve) {
+  const auto* arc = std::get_if<Arc>(&curve);
+  return arc ? arc->curvature : 0;
+}
+
+double sweepOf(const Curve& curve) {
+  const auto* arc = std::get_if<Arc>(&curve);
+  return arc ? std::abs(arc->sweep()) : 0;
+}
+
+/// Distances of points along the way from two curves that touch each other.
+class TwoCurves {
+public:
+  explicit TwoCurves(const Biarc& fitted) : m_fitted(fitted) {
+    if (fitted.second) {
+      m_joint = geometry::startPoint(*fitted.second);
+      m_tangent = geometry::startTangent(*fitted.second);
+      m_isWide = sweepOf(fitted.first) + sweepOf(*fitted.second) > base::kPi / 2;
+    }
+  }
+
+  [[nodiscard]] double left(const Point& p) const {
+    if (!m_isWide) {
+      return leftDistance(curveAt(p), p);
+    }
+    const double first = leftDistance(m_fitted.first, p); // the joint does not part what turns far
+    const double second = leftDistance(*m_fitted.second, p);
+    return std::abs(first) < std::abs(second) ? first : second;
+  }
+
+  [[nodiscard]] double curvature(const Point& p) const {
+    return curvatureOfFit(curveAt(p));
+  }
+
+private:
+  [[nodiscard]] const Curve& curveAt(const Point& p) const {
+    return m_fitted.second && m_tangent.dot(p - m_joint) > 0 ? *m_fitted.second : m_fitted.first;
+  }
+
+  const Biarc& m_fitted;
+  Point m_joint = Point::Zero();
+  Vector m_tangent = Vector::Zero();
+  bool m_isWide = false;
+};
+
+/// Largest distance along a chord: at its ends, or where it runs parallel to the curve between them.
+double farthestOnChord(double atStart, double atEnd, double curvature, double squaredLength) {
+  const double bulge = curvature * squaredLength / 8;
+  const double rise = atEnd - atStart;
+  double most = std::max(std::abs(atStart), std::abs(atEnd));
+  if (std::abs(rise) < 4 * std::abs(bulge)) {
+    most = std::max(most, std::abs((atStart + atEnd) / 2 + bulge + rise * rise / (16 * bulge)));
+  }
+  return most;
+}
+
+} // namespace
+
+double leftDistance(const Curve& lineOrArc, const Point& point) {
+  if (const auto* line = std::get_if<Line>(&lineOrArc)) {
+    return geometry::cross((line->to - line->from).normalized(), point - line->from);
+  }
+  const Arc& arc = std::get<Arc>(lineOrArc);
+  const Vector from = point - arc.start;
+  const double x = from.dot(arc.tangent);
+  const double y = from.dot(geometry::leftOf(arc.tangent));
+  const double k = arc.curvature;
+  return (2 * y - k * (x * x + y * y)) / (std::sqrt(base::squared(k * x) + base::squared(1 - k * y)) + 1);
+}
+
+double distanceFromChords(const Biarc& fitted, std::span<const Point> vertices, double enough) {
+  const TwoCurves curves(fitted);
+  double before = curves.left(vertices.front());
+  double most = std::abs(before);
+  for (std::size_t i = 1; i < vertices.size() && most <= enough; ++i) {
+    const double here = curves.left(vertices[i]);
+    const Point middle = (vertices[i - 1] + vertices[i]) / 2;
+    const double squaredLength = (vertices[i] - vertices[i - 1]).squaredNorm();
+    most = std::max(most, farthestOnChord(before, here, curves.curvature(middle), squaredLength));
+    before = here;
+  }
+  return most;
+}
+
+} // namespace arris::pattern

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/geometry/biarc.h"
+
+#include <span>
+
+namespace arris::pattern {
+
+/// How far the point lies to the left of a line or of the circle of an arc, mm.
+[[nodiscard]] double leftDistance(const geometry::Curve& lineOrArc, const geometry::Point& point);
+
+/// Largest distance between chords from vertex to vertex and the curves that stand for them, mm, to third order of the
+/// turn of a chord; some larger distance than `enough` as soon as it is found.
+[[nodiscard]] double distanceFromChords(const geometry::Biarc& fitted, std::span<const geometry::Point> vertices,
+                                        double enough);
+
+} // namespace arris::pattern

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/pattern/chord_run.h"
+
+namespace arris::pattern {
+
+/// Lines and arcs, tangential to each other, that stand for a run of chords.
+struct FittedRun {
+  std::vector<geometry::Curve> curves; ///< from the run's first vertex to its last; a closed run may start elsewhere
+  double deviation = 0;                ///< largest distance from the chords, mm
+};
+
+/// Fits a run within `tolerance` by few curves: one line, arc or circle if that will do, else its straight parts and
+/// arcs between them. Where not even that is within the tolerance the deviation says so.
+[[nodiscard]] FittedRun fitRun(const ChordRun& run, double tolerance);
+
+} // namespace arris::pattern
