@@ -428,10 +428,6 @@
         <translation>Die Schleifhöhe von {height_mm} mm liegt über der Sicherheitshöhe von {clearance_mm} mm.</translation>
     </message>
     <message>
-        <source>The wheel leaves a fillet at the concave corner: {fillet_mm} mm of glass stay before the corner, and {unground_mm} mm of its edges are not ground.</source>
-        <translation>Die Scheibe lässt an der einspringenden Ecke eine Ausrundung stehen: {fillet_mm} mm Glas bleiben vor der Ecke, und {unground_mm} mm ihrer Kanten werden nicht geschliffen.</translation>
-    </message>
-    <message>
         <source>The machine&apos;s greatest speed of the {axis} axis is below the feed; it limits the speed on the contour.</source>
         <translation>Die Höchstgeschwindigkeit der {axis}-Achse ist kleiner als der Vorschub; sie begrenzt die Geschwindigkeit auf der Kontur.</translation>
     </message>

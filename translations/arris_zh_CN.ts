@@ -428,10 +428,6 @@
         <translation>磨削高度 {height_mm} mm 高于安全高度 {clearance_mm} mm。</translation>
     </message>
     <message>
-        <source>The wheel leaves a fillet at the concave corner: {fillet_mm} mm of glass stay before the corner, and {unground_mm} mm of its edges are not ground.</source>
-        <translation>磨轮在凹角处留下圆角：角前留有 {fillet_mm} mm 玻璃，两侧边缘有 {unground_mm} mm 未磨削。</translation>
-    </message>
-    <message>
         <source>The machine&apos;s greatest speed of the {axis} axis is below the feed; it limits the speed on the contour.</source>
         <translation>机床 {axis} 轴的最高速度低于进给速度；轮廓上的速度因此受限。</translation>
     </message>

@@ -193,8 +193,32 @@ Ring starRing(const Limits& limits, Dice& dice) {
   return rounded(ring, limits, dice);
 }
 
+/// Whether the arcs that bulge beyond the corners stay in the disc too.
+bool isWithin(const Ring& ring, double disc) {
+  return std::all_of(ring.begin(), ring.end(), [disc](const Side& side) {
+    const auto& curve = std::get<Curve>(side);
+    for (int i = 0; i <= 24; ++i) {
+      if (geometry::pointAt(curve, geometry::parameterLength(curve) * i / 24).norm() > disc) {
+        return false;
+      }
+    }
+    return true;
+  });
+}
+
 Ring circle(double radius) {
   return {Curve{geometry::arcAbout({0, 0}, radius, -kPi / 2, 2 * kPi)}};
+}
+
+/// A star without splines in the disc of radius `limits.outer`; a circle where none is found.
+Ring starWithin(const Limits& limits, Dice& dice) {
+  for (int tries = 0; tries < 10; ++tries) {
+    Ring ring = starRing(limits, dice);
+    if (isWithin(ring, 1.02 * limits.outer)) {
+      return ring;
+    }
+  }
+  return circle(limits.outer);
 }
 
 /// A rectangle of these half sides with rounded corners; radius 0: sharp.
@@ -237,7 +261,7 @@ Ring cutOut(double disc, const Limits& limits, Dice& dice) {
   Limits free = limits;
   free.inner = 0.65 * disc;
   free.outer = 0.97 * disc;
-  return starRing(free, dice);
+  return starWithin(free, dice);
 }
 
 Side moved(const Side& side, const Eigen::Isometry2d& motion) {
@@ -376,7 +400,7 @@ RandomGlass randomGlass(std::uint64_t seed, const GlassOptions& options) {
     if (island) {
       const double most = 0.9 * disc.radius - 2 * limits.leastHollow;
       const Limits within{0.6 * most, most, limits.leastHollow, limits.leastMouth, most, false, 0};
-      write(dxf, moved(starRing(within, dice), origin + disc.middle, 0), dice.chance(0.5));
+      write(dxf, moved(starWithin(within, dice), origin + disc.middle, 0), dice.chance(0.5));
     }
   }
   result.dxf = dxf.text();

@@ -435,7 +435,7 @@ Counts roomsThatCount(const Glass& glass, const std::vector<PathPiece>& pieces, 
     return [](const Point&) { return true; };
   }
   const auto widened = std::make_shared<WidenedGlass>(glass, wheel - kAllowed + kBudget);
-  std::vector<std::size_t> entered;
+  std::vector<std::size_t> entered{0}; // the outside is open to every wheel
   for (const PathPiece& piece : pieces) {
     entered.push_back(widened->roomOf(piece.stretch.at(0)));
   }

@@ -19,7 +19,8 @@ struct Breach {
   double amount = 0;     ///< distance between wheel and glass there, mm: negative in the glass, positive off it
 };
 
-/// Hollows of the free space that the wheel could grind but that no path enters: a breach, or accepted by the operator.
+/// Rooms of the free space, cut off from the outside, that the wheel could grind in but that no path enters: a breach,
+/// or accepted by the operator.
 enum class Unentered { Breach, Accepted };
 
 /// Distance of a point from the edge of the glass, mm, exact to rounding; negative in the glass (nearer than 0.1 mm to

@@ -21,32 +21,39 @@ constexpr int kDrawings = 48;
 constexpr int kDrawings = 240;
 #endif
 
-/// Of the drawings this share must be planned, so that the properties are not those of nothing.
+/// Of the drawings at least this share must be planned, so that the properties are not those of nothing.
 constexpr double kLeastPlanned = 1.0 / 3;
-constexpr double kLeastPlannedAccepted = 1.0 / 3;
+constexpr double kLeastPlannedAccepted = 0.9;
 
 /// Every so many planned drawings one is followed row by row.
 constexpr int kFollowed = 6;
 
-/// The drawings that were planned; the others are refused in words.
+/// Each error has its place or line. (That the wheel reaches nothing at all has none, and cannot be: any wheel reaches
+/// an outline from outside.)
+void expectRefusedWithAPlace(const Job& job) {
+  for (const base::Problem& problem : job.problems) {
+    EXPECT_TRUE(base::severityOf(problem) != base::Severity::Error || problem.where || problem.line)
+        << base::describe(problem);
+  }
+}
+
+/// How many of the drawings were planned and given to `check`; the others were refused in words.
 template <class Check> int forEachPlanned(const test::GlassOptions& options, std::uint64_t firstSeed, Check check) {
   int count = 0;
   for (std::uint64_t seed = firstSeed; seed < firstSeed + kDrawings; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     const Job job = test::planned(test::randomGlass(seed, options));
-    if (!job.canBeGround()) {
-      const bool placed = std::any_of(job.problems.begin(), job.problems.end(), [](const base::Problem& problem) {
-        return base::severityOf(problem) == base::Severity::Error && (problem.where || problem.line);
-      });
-      EXPECT_TRUE(placed || base::hasErrors(job.problems)) << "refused without a place";
-      continue;
+    if (job.canBeGround()) {
+      ++count;
+      check(job);
+    } else {
+      expectRefusedWithAPlace(job);
     }
-    ++count;
-    check(job);
   }
   return count;
 }
 
+/// From lead-in to lead-out in one piece, tangentially but for exact stops.
 void expectG1(const Job& job) {
   for (const toolpath::Chain& chain : job.toolpath.chains) {
     ASSERT_FALSE(chain.segments.empty());
@@ -55,7 +62,10 @@ void expectG1(const Job& job) {
     for (std::size_t i = 1; i < chain.segments.size(); ++i) {
       const geometry::Curve& before = chain.segments[i - 1].shape;
       const geometry::Curve& after = chain.segments[i].shape;
-      EXPECT_LT((geometry::endPoint(before) - geometry::startPoint(after)).norm(), 1e-9) << "segment " << i;
+      const geometry::Point joint = geometry::startPoint(after);
+      EXPECT_LT((geometry::endPoint(before) - joint).norm(), 1e-9) << "segment " << i;
+      const double bend = (geometry::endTangent(before) - geometry::startTangent(after)).norm();
+      EXPECT_TRUE(bend < 1e-9 || chain.segments[i - 1].stopAtEnd) << "segment " << i << " bends by " << bend;
     }
   }
 }
@@ -100,9 +110,7 @@ TEST(Glass, IsGroundOnAllThatTheWheelReachesAndNowhereElse) {
       expectG1(job);
       expectDownAndUpClearOfTheBlank(job);
     });
-    if (!splines) {
-      EXPECT_GE(planned, kLeastPlanned * kDrawings);
-    }
+    EXPECT_GE(planned, kLeastPlanned * kDrawings);
     RecordProperty(splines ? "planned_with_splines" : "planned", planned);
   }
 }

@@ -32,6 +32,13 @@ Job paneWithArcs() {
       {}, {});
 }
 
+PathSegment pathSegment(const geometry::Curve& shape, Role role) {
+  PathSegment segment;
+  segment.shape = shape;
+  segment.role = role;
+  return segment;
+}
+
 std::vector<PathSegment>& segmentsOf(Job& job) {
   return job.toolpath.chains.front().segments;
 }
@@ -187,7 +194,7 @@ Job lByHand(double before) {
   job.contours = test::polygon({{0, 0}, {800, 0}, {800, 500}, {500, 500}, {500, 800}, {0, 800}}).contours;
   const auto add = [&job](const geometry::Curve& shape, Role role) {
     job.toolpath.chains.resize(1);
-    segmentsOf(job).push_back({shape, role, 0, 0});
+    segmentsOf(job).push_back(pathSegment(shape, role));
   };
   const double quarter = base::kPi / 2;
   add(Line{{0, -75}, {800, -75}}, Role::Contour);
@@ -265,7 +272,7 @@ TEST(SweptGlass, AgreesWithTheDistanceFromTheContoursEverywhere) {
     job.toolpath.chains.assign(1, {});
     std::vector<Point> tooNear;
     for (const Point& p : placesOn(job, dice)) {
-      segmentsOf(job).push_back({geometry::Line{p, p + Vector(1e-4, 0)}, Role::LeadIn, 0, 0});
+      segmentsOf(job).push_back(pathSegment(geometry::Line{p, p + Vector(1e-4, 0)}, Role::LeadIn));
       const Point end = p + Vector(1e-4, 0);
       const double nearest = std::min(distanceByTheProgram(job, p), distanceByTheProgram(job, end));
       const bool inGlass = test::distanceFromGlass(job.contours, p) < 0;
