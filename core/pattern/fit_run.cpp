@@ -124,11 +124,11 @@ private:
 
   /// From corner to corner by one line or arc.
   bool asSingle() {
-    if (m_run.startTangent || m_run.endTangent) {
-      return false;
-    }
     const Point& from = m_run.vertices.front();
     const Point& to = m_run.vertices.back();
+    if (m_run.startTangent || m_run.endTangent || from == to) {
+      return false;
+    }
     if (take({Line{from, to}, std::nullopt}, 0, last(), kStraightShare * m_tolerance)) {
       return true;
     }
@@ -142,8 +142,8 @@ private:
     }
     m_straights = findStraights(m_run, m_tolerance);
     if (m_run.closed && !m_straights.empty()) {
-      m_run = startingAt(m_run, m_straights.front().first);
       const std::size_t shift = m_straights.front().first;
+      rotate(shift);
       for (Straight& straight : m_straights) {
         straight.first -= shift;
         straight.last -= shift;
@@ -160,8 +160,12 @@ private:
   void startWhereItBendsMost() {
     const auto bend = [](double a, double b) { return std::abs(a) < std::abs(b); };
     const auto most = std::max_element(m_shape.curvature.begin(), std::prev(m_shape.curvature.end()), bend);
-    m_run = startingAt(m_run, static_cast<std::size_t>(most - m_shape.curvature.begin()));
-    m_shape = shapeOf(m_run, {});
+    rotate(static_cast<std::size_t>(most - m_shape.curvature.begin()));
+  }
+
+  void rotate(std::size_t vertex) {
+    m_run = startingAt(m_run, vertex);
+    m_rotated = (m_rotated + vertex) % last();
   }
 
   // Straights and sections
@@ -297,6 +301,9 @@ private:
       const std::size_t next = farthestFrom(here, start);
       const Span span = spanBetween(here, start, next);
       append(span.arcs, span.distance);
+      if (span.distance > m_tolerance) {
+        m_result.failed.push_back((here + m_rotated) % last());
+      }
       start = span.end;
       here = next;
     }
@@ -391,6 +398,7 @@ private:
   };
 
   ChordRun m_run;
+  std::size_t m_rotated = 0; ///< number that its first vertex had when it came
   double m_tolerance;
   Section m_section; ///< that is being fitted
   ChordShape m_shape;

@@ -136,10 +136,11 @@ std::vector<Point> choppedUnevenly(const SmoothShape& shape, double sagitta, dou
     while (sagittaBetween(shape, t, t + step) > sagitta) {
       step /= 1.1;
     }
-    t += step * density * between(random, 0.4, 1);
-    if (t > 1 - step * 0.2) { // no chord that is much shorter than its neighbours where the curve closes
+    step *= density * between(random, 0.4, 1);
+    if (1 - t <= step) {
       break;
     }
+    t += std::min(step, (1 - t) / 2); // no tiny chord where the curve closes
   }
   return points;
 }

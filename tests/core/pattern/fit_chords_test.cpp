@@ -192,7 +192,9 @@ TEST(Chopped, ACornerBetweenChoppedLinesStays) {
     shape.emplace_back(Line{{150, 200}, {0, 200}});
     shape.emplace_back(Line{{0, 200}, {0, 0}});
     const Contour contour = fitted(test::choppedEvenly(shape, 0.1, true));
-    EXPECT_TRUE(test::areSame(contour.curves, shape, 1e-9)) << turn;
+    EXPECT_EQ(contour.curves.size(), shape.size()) << turn;
+    EXPECT_LT(test::farthest(contour.curves, shape), 1e-9) << turn;
+    EXPECT_LT(test::farthest(shape, contour.curves), 1e-9) << turn;
   }
 }
 
@@ -212,6 +214,29 @@ TEST(Chopped, ChordsBesideATrueArcAreTangentialToIt) {
   EXPECT_LT(test::farthest(pieces, contour.curves), kSmooth);
 }
 
+TEST(Chopped, ALoopFromOneCornerBackToItIsSmoothBetween) {
+  std::vector<Point> drop;
+  for (int i = 0; i < 400; ++i) { // a drop with its tip in the origin
+    const double angle = 2 * kPi * i / 400;
+    drop.emplace_back(40 * (1 - std::cos(angle)), 60 * std::sin(angle) * std::sin(angle / 2));
+  }
+  const Contour contour = fitted(drop, 0.05);
+  ASSERT_EQ(cornersOf(contour).size(), 1U);
+  EXPECT_LT(cornersOf(contour)[0].norm(), 1e-12);
+  EXPECT_LT(contour.curves.size(), 60U);
+  EXPECT_LE(test::farthest(test::closedLines(drop), contour.curves), 0.05);
+}
+
+TEST(Chopped, WhatCannotBeFollowedIsNotFitted) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> off(-0.02, 0.02); // rougher than the tolerance
+  std::vector<Point> rough = circlePoints(200, 50);
+  for (Point& p : rough) {
+    p += Vector(off(random), off(random));
+  }
+  expectFaithful(fitted(rough), rough);
+}
+
 /// Smooth closed shapes in chords of uneven length, rounded as in a file.
 struct ChoppedShape {
   std::vector<Point> onCurve; ///< closely along the true curve
@@ -222,12 +247,12 @@ ChoppedShape randomShape(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const test::SmoothShape shape = test::randomSmoothShape(random);
   const double rounding = std::array{0.0, 1e-6, 1e-5, 1e-4}[seed % 4];
-  return {shape.points(4000), test::choppedUnevenly(shape, 0.9 * kSmooth, rounding, random)};
+  return {shape.points(1000), test::choppedUnevenly(shape, 0.6 * kSmooth, rounding, random)};
 }
 
 class RandomCurves : public testing::TestWithParam<std::uint64_t> {};
 
-INSTANTIATE_TEST_SUITE_P(Chopped, RandomCurves, testing::Range<std::uint64_t>(0, 60));
+INSTANTIATE_TEST_SUITE_P(Chopped, RandomCurves, testing::Range<std::uint64_t>(0, 400));
 
 TEST_P(RandomCurves, ComeBackSmoothNearTheTrueCurveAndInFewPieces) {
   const ChoppedShape shape = randomShape(GetParam());
