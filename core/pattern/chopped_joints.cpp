@@ -54,13 +54,11 @@ Joint jointBetween(const Curve& before, const Curve& after) {
   return joint;
 }
 
-/// How far the curve that the joint stands for is from the chords, mm.
+/// How far the curve that the joint stands for is from the shorter chord, mm: the longer may lie on a line that the
+/// curve touches. A chord next to an arc bends towards that.
 double sagittaOf(const Joint& joint) {
-  const double longer = std::max(joint.before, joint.after);
   const double shorter = std::min(joint.before, joint.after);
-  const double straight = shorter > 0 ? shorter : longer; // a chord next to an arc bends towards it
-  const double bent = shorter > 0 ? longer * longer / (longer + shorter) : longer;
-  return std::min(bent, straight) * std::abs(joint.turn) / 4;
+  return std::abs(joint.turn) * (shorter > 0 ? shorter / 8 : std::max(joint.before, joint.after) / 4);
 }
 
 bool standsOut(const Joint& joint, const Joint& previous, const Joint& next) {

@@ -14,9 +14,8 @@ struct ChoppedJoints {
 };
 
 /// A joint between lines (or a line and an arc) is smooth where chords of a curve would meet like that: it turns by at
-/// most 20°, the circle through the three points passes the chords within `tolerance` (mm) or touches the longer one
-/// and passes the shorter within it, and it does not stand out by its turn among its neighbours, as a drawn corner
-/// does.
+/// most 20°, a curve that turns like that passes the shorter chord within `tolerance` (mm), and it does not stand out
+/// by its turn among its neighbours, as a drawn corner does.
 [[nodiscard]] ChoppedJoints findChoppedJoints(const std::vector<geometry::Curve>& closedChain, double tolerance);
 
 } // namespace arris::pattern

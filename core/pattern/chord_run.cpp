@@ -127,7 +127,7 @@ private:
     }
     const Vector direction = (m_points[b] - m_points[a]).normalized();
     const auto foot = [&](const Point& p) { return Point(m_points[a] + direction.dot(p - m_points[a]) * direction); };
-    return {i, j, a == i ? m_points[i] : foot(m_points[i]), b == j ? m_points[j] : foot(m_points[j])};
+    return {i, j, a == i ? m_points[i] : foot(m_points[i]), b == j ? m_points[j] : foot(m_points[j]), {}};
   }
 
   const ChordRun& m_run;
@@ -168,6 +168,10 @@ ChordShape shapeOf(const ChordRun& run, const std::vector<Straight>& straights) 
   shape.way.assign(p.size(), 0);
   for (std::size_t i = 0; i < chords; ++i) {
     shape.way[i + 1] = shape.way[i] + (p[i + 1] - p[i]).norm();
+  }
+  shape.heading.assign(chords, 0);
+  for (std::size_t i = 1; i < chords; ++i) {
+    shape.heading[i] = shape.heading[i - 1] + geometry::turn(p[i] - p[i - 1], p[i + 1] - p[i]);
   }
   shape.curvature.assign(p.size(), 0);
   for (std::size_t i = 1; i < chords; ++i) {

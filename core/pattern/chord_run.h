@@ -18,6 +18,7 @@ struct ChordRun {
 /// What is known of a run before it is fitted. Curvatures and sagittas are positive where the run turns left.
 struct ChordShape {
   std::vector<double> way;              ///< by vertex: length along the chords up to it, mm
+  std::vector<double> heading;          ///< by chord: direction, rad, without jumps along the run; 0 for the first
   std::vector<double> curvature;        ///< by vertex, of the circle through it and its neighbours, 1/mm
   std::vector<double> sagitta;          ///< by chord, of the curve that it stands for, mm
   std::vector<geometry::Point> centred; ///< by vertex: half-way between it and the middles of its chords, mm
@@ -29,6 +30,7 @@ struct Straight {
   std::size_t last = 0;
   geometry::Point from; ///< where the line starts and ends for now
   geometry::Point to;
+  std::optional<double> rounded; ///< one arc follows that is this far from the chords, mm
 };
 
 /// `straights` bend the run no more; in their order along the run.

@@ -13,6 +13,9 @@ using base::Problem;
 using geometry::Curve;
 using geometry::Line;
 
+/// So many times a run is fitted again without the chords that could not be followed.
+constexpr int kMostDepth = 3;
+
 class ChordFitter {
 public:
   ChordFitter(const std::vector<Curve>& chain, double tolerance)
@@ -25,7 +28,7 @@ public:
     const std::size_t n = m_chain.size();
     const std::size_t start = firstEnd();
     if (start == n) {
-      fitRunOf(0, n, true);
+      fitRunOf(0, n, true, 0);
       return std::move(m_fitted);
     }
     for (std::size_t i = start; i < start + n;) {
@@ -33,7 +36,7 @@ public:
       while (end < start + n && !endsRun(end % n)) {
         ++end;
       }
-      fitRunOf(i, end, false);
+      fitRunOf(i, end, false, 0);
       i = end;
     }
     return std::move(m_fitted);
@@ -65,23 +68,52 @@ private:
     return i;
   }
 
-  void fitRunOf(std::size_t begin, std::size_t end, bool closed) {
+  /// `depth`: how many times what could not be followed was taken out.
+  void fitRunOf(std::size_t begin, std::size_t end, bool closed, int depth) {
     if (end - begin > 1) {
-      const ChordRun run = runOf(begin, end, closed);
-      const FittedRun fitted = fitRun(run, m_tolerance);
+      const FittedRun fitted = fitRun(runOf(begin, end, closed), m_tolerance);
       if (fitted.deviation <= m_tolerance) {
         m_fitted.insert(m_fitted.end(), fitted.curves.begin(), fitted.curves.end());
         m_fit.deviation = std::max(m_fit.deviation, fitted.deviation);
         return;
       }
-      m_fit.notes.push_back(Problem(Code::ChordsTooCoarse, {{"count", static_cast<std::int64_t>(end - begin - 1)},
-                                                            {"needed_mm", fitted.deviation},
-                                                            {"tolerance_mm", m_tolerance}})
-                                .at(run.vertices[1]));
+      tellFailed(begin + (fitted.failed.empty() ? 0 : fitted.failed.front()), fitted);
+      if (!fitted.failed.empty() && depth < kMostDepth) {
+        fitBetweenFailed(begin, end, closed, fitted.failed, depth + 1);
+        return;
+      }
     }
     for (std::size_t i = begin; i < end; ++i) {
       m_fitted.push_back(curve(i));
     }
+  }
+
+  // The chords that could not be followed stay lines between corners. A closed run is cut open at the first of them.
+  void fitBetweenFailed(std::size_t begin, std::size_t end, bool closed, std::vector<std::size_t> failed, int depth) {
+    std::sort(failed.begin(), failed.end());
+    std::size_t next = begin;
+    if (closed) {
+      next = begin + failed.front();
+      end += failed.front();
+    }
+    for (const std::size_t chord : failed) {
+      if (begin + chord > next) {
+        fitRunOf(next, begin + chord, false, depth);
+      }
+      m_fitted.push_back(curve(begin + chord));
+      next = begin + chord + 1;
+    }
+    if (next < end) {
+      fitRunOf(next, end, false, depth);
+    }
+  }
+
+  void tellFailed(std::size_t chord, const FittedRun& fitted) {
+    m_fit.notes.push_back(
+        Problem(Code::ChordsTooCoarse, {{"count", static_cast<std::int64_t>(fitted.failed.size() + 1)},
+                                        {"needed_mm", fitted.deviation},
+                                        {"tolerance_mm", m_tolerance}})
+            .at(geometry::startPoint(curve(chord))));
   }
 
   [[nodiscard]] ChordRun runOf(std::size_t begin, std::size_t end, bool closed) const {

@@ -25,6 +25,9 @@ double sweepOf(const Curve& curve) {
   return arc ? std::abs(arc->sweep()) : 0;
 }
 
+/// The direction at the joint of two arcs parts what lies beside them as long as neither turns by more than this, rad.
+constexpr double kWide = 3;
+
 /// Distances of points along the way from two curves that touch each other.
 class TwoCurves {
 public:
@@ -32,7 +35,7 @@ public:
     if (fitted.second) {
       m_joint = geometry::startPoint(*fitted.second);
       m_tangent = geometry::startTangent(*fitted.second);
-      m_isWide = sweepOf(fitted.first) + sweepOf(*fitted.second) > base::kPi / 2;
+      m_isWide = std::max(sweepOf(fitted.first), sweepOf(*fitted.second)) > kWide;
     }
   }
 
@@ -40,13 +43,16 @@ public:
     if (!m_isWide) {
       return leftDistance(curveAt(p), p);
     }
-    const double first = leftDistance(m_fitted.first, p); // the joint does not part what turns far
+    const double first = leftDistance(m_fitted.first, p);
     const double second = leftDistance(*m_fitted.second, p);
     return std::abs(first) < std::abs(second) ? first : second;
   }
 
-  [[nodiscard]] double curvature(const Point& p) const {
-    return curvatureOfFit(curveAt(p));
+  /// The greatest curvature beside the chord.
+  [[nodiscard]] double curvature(const Point& from, const Point& to) const {
+    const double a = curvatureOfFit(curveAt(from));
+    const double b = curvatureOfFit(curveAt(to));
+    return std::abs(a) > std::abs(b) ? a : b;
   }
 
 private:
@@ -91,9 +97,8 @@ double distanceFromChords(const Biarc& fitted, std::span<const Point> vertices, 
   double most = std::abs(before);
   for (std::size_t i = 1; i < vertices.size() && most <= enough; ++i) {
     const double here = curves.left(vertices[i]);
-    const Point middle = (vertices[i - 1] + vertices[i]) / 2;
     const double squaredLength = (vertices[i] - vertices[i - 1]).squaredNorm();
-    most = std::max(most, farthestOnChord(before, here, curves.curvature(middle), squaredLength));
+    most = std::max(most, farthestOnChord(before, here, curves.curvature(vertices[i - 1], vertices[i]), squaredLength));
     before = here;
   }
   return most;

@@ -23,8 +23,11 @@ using geometry::Vector;
 /// A run from corner to corner that a line passes within this share of the tolerance is one.
 constexpr double kStraightShare = 0.25;
 
-/// An arc between two knots turns by no more than this, rad: two arcs in its place have nearly its shape.
-constexpr double kMostArcTurn = base::kPi / 2;
+/// Two arcs turn by no more than this together, rad.
+constexpr double kMostTurnOfSpan = 2.5;
+
+/// The direction where two arcs end is taken from this share of their length to either side.
+constexpr double kTangentShare = 1.0 / 16;
 
 /// Of a straight part this share stays between the arcs at its ends, at least.
 constexpr double kLeastLeftOfStraight = 0.1;
@@ -88,12 +91,9 @@ private:
     return middles;
   }
 
-  [[nodiscard]] double turnFrom(std::size_t from, std::size_t to) const {
-    double turn = 0;
-    for (std::size_t i = from + 1; i < to; ++i) {
-      turn += geometry::turn(m_run.vertices[i] - m_run.vertices[i - 1], m_run.vertices[i + 1] - m_run.vertices[i]);
-    }
-    return turn;
+  /// What the chords between two vertices turn by, rad.
+  [[nodiscard]] double turnBetween(std::size_t from, std::size_t to) const {
+    return m_shape.heading[to - 1] - m_shape.heading[from];
   }
 
   bool take(const Biarc& fitted, std::size_t from, std::size_t to, double enough) {
@@ -115,7 +115,7 @@ private:
 
   bool asCircle() {
     const std::vector<Point>& p = m_run.vertices;
-    const double turn = turnFrom(0, last()) + geometry::turn(p[last()] - p[last() - 1], p[1] - p[0]);
+    const double turn = turnBetween(0, last()) + geometry::turn(p[last()] - p[last() - 1], p[1] - p[0]);
     if (std::abs(std::abs(turn) - 2 * base::kPi) > kOnceRound) {
       return false;
     }
@@ -124,11 +124,11 @@ private:
 
   /// From corner to corner by one line or arc.
   bool asSingle() {
-    if (m_run.startTangent || m_run.endTangent) {
-      return false;
-    }
     const Point& from = m_run.vertices.front();
     const Point& to = m_run.vertices.back();
+    if (m_run.startTangent || m_run.endTangent || from == to) {
+      return false;
+    }
     if (take({Line{from, to}, std::nullopt}, 0, last(), kStraightShare * m_tolerance)) {
       return true;
     }
@@ -142,8 +142,8 @@ private:
     }
     m_straights = findStraights(m_run, m_tolerance);
     if (m_run.closed && !m_straights.empty()) {
-      m_run = startingAt(m_run, m_straights.front().first);
       const std::size_t shift = m_straights.front().first;
+      rotate(shift);
       for (Straight& straight : m_straights) {
         straight.first -= shift;
         straight.last -= shift;
@@ -160,8 +160,12 @@ private:
   void startWhereItBendsMost() {
     const auto bend = [](double a, double b) { return std::abs(a) < std::abs(b); };
     const auto most = std::max_element(m_shape.curvature.begin(), std::prev(m_shape.curvature.end()), bend);
-    m_run = startingAt(m_run, static_cast<std::size_t>(most - m_shape.curvature.begin()));
-    m_shape = shapeOf(m_run, {});
+    rotate(static_cast<std::size_t>(most - m_shape.curvature.begin()));
+  }
+
+  void rotate(std::size_t vertex) {
+    m_run = startingAt(m_run, vertex);
+    m_rotated = (m_rotated + vertex) % last();
   }
 
   // Straights and sections
@@ -209,7 +213,7 @@ private:
       return;
     }
     const double turn = geometry::turn(before, m_run.vertices[a.last + 1] - m_run.vertices[a.last]) +
-                        turnFrom(a.last, end) + geometry::turn(m_run.vertices[end] - m_run.vertices[end - 1], after);
+                        turnBetween(a.last, end) + geometry::turn(m_run.vertices[end] - m_run.vertices[end - 1], after);
     const std::optional<Fillet> fillet = filletThrough(a.to, before, b.from, after, turn, centredMiddles(a.last, end));
     if (!fillet || !(fillet->radius * turn > 0)) {
       return;
@@ -220,9 +224,11 @@ private:
       return;
     }
     const Biarc arc{Arc{from, before, 1 / fillet->radius, std::abs(turn * fillet->radius)}, std::nullopt};
-    if (distanceFromChords(arc, vertices(a.last, end), m_tolerance) <= m_tolerance) {
+    const double distance = distanceFromChords(arc, vertices(a.last, end), m_tolerance);
+    if (distance <= m_tolerance) {
       a.to = from;
       b.from = to;
+      a.rounded = distance;
     }
   }
 
@@ -241,17 +247,17 @@ private:
     const double cut = std::min(2 * m_tolerance / turn, room);
     a.to = corner - cut * before;
     b.from = corner + cut * after;
+    a.rounded = cut * turn / 4;
   }
 
   void fitBetween(const Straight& a, const Straight& b, std::size_t end) {
     const Station from = stationAtEnd(a);
     const Station to = stationAtStart(b);
-    if (a.last == end) { // its arc passes the vertex
-      append(geometry::biarcBetween(from, to),
-             (geometry::nearest(geometry::biarcBetween(from, to).first, m_run.vertices[end])).distance);
-      return;
+    if (a.rounded) {
+      append(geometry::biarcBetween(from, to), *a.rounded);
+    } else {
+      fitSection(a.last, from, end, to);
     }
-    fitSection(a.last, from, end, to);
   }
 
   void appendStraight(const Straight& straight) {
@@ -286,121 +292,115 @@ private:
     return static_cast<std::size_t>(after - m_shape.way.begin()) - 1;
   }
 
-  void fitSection(std::size_t from, Station start, std::size_t to, Station end) {
+  /// Each time by the two arcs that reach farthest.
+  void fitSection(std::size_t from, Station start, std::size_t to, const Station& end) {
     m_shape.centred[from] = start.point;
     m_shape.centred[to] = end.point;
-    const std::vector<std::size_t> knots = knotsBetween(from, to);
-    if (start.tangent.isZero()) {
-      start.tangent = tangentAtCorner(from, knots[1], 1);
-    }
-    if (end.tangent.isZero()) {
-      end.tangent = tangentAtCorner(to, knots[knots.size() - 2], -1);
-    }
-    const Biarc whole = geometry::biarcBetween(start, end);
-    if (knots.size() < 4 && take(whole, from, to, m_tolerance)) {
-      return;
-    }
-    Station here = start;
-    for (std::size_t k = 1; k < knots.size(); ++k) {
-      const bool isLast = k + 1 == knots.size();
-      const Station next = isLast ? end : stationAt(knots[k], knots[k - 1], knots[k + 1]);
-      fitSpan(knots[k - 1], here, knots[k], next);
+    m_section = {from, to, end, reachIn(from, to)};
+    for (std::size_t here = from; here < to;) {
+      const std::size_t next = farthestFrom(here, start);
+      const Span span = spanBetween(here, start, next);
+      append(span.arcs, span.distance);
+      if (span.distance > m_tolerance) {
+        m_result.failed.push_back((here + m_rotated) % last());
+      }
+      start = span.end;
       here = next;
     }
   }
 
-  /// By two arcs, or those of both halves where that does not do.
-  void fitSpan(std::size_t from, const Station& start, std::size_t to, const Station& end) {
-    const Biarc arcs = geometry::biarcBetween(start, end);
-    if (take(arcs, from, to, m_tolerance)) {
-      return;
-    }
-    if (to - from < 2) {
-      append(arcs, distanceFromChords(arcs, vertices(from, to), HUGE_VAL));
-      return;
-    }
-    const std::size_t middle = (from + to) / 2;
-    const Station station = stationAt(middle, from, to);
-    fitSpan(from, start, middle, station);
-    fitSpan(middle, station, to, end);
-  }
-
-  /// A knot and the direction there: of the circle through it and points a quarter of the way to the knots beside it.
-  [[nodiscard]] Station stationAt(std::size_t knot, std::size_t before, std::size_t after) const {
-    const double reach = std::min(m_shape.way[knot] - m_shape.way[before], m_shape.way[after] - m_shape.way[knot]) / 4;
-    const std::size_t a = std::min(nearestVertex(m_shape.way[knot] - reach), knot - 1);
-    const std::size_t b = std::max(nearestVertex(m_shape.way[knot] + reach), knot + 1);
-    const std::vector<Point>& p = m_shape.centred;
-    return {p[knot], ThreePoints(p[a], p[knot], p[b]).atMiddle};
-  }
-
-  /// `step` is 1 at the start of a section and −1 at its end; the tangent is in the direction of travel.
-  [[nodiscard]] Vector tangentAtCorner(std::size_t corner, std::size_t knot, int step) const {
-    const std::vector<Point>& p = m_shape.centred;
-    const std::size_t away = step > 0 ? knot - corner : corner - knot;
-    const Point& end = p[knot];
-    if (away < 2) {
-      return step * (end - p[corner]).normalized();
-    }
-    const std::size_t between = step > 0 ? corner + away / 2 : corner - away / 2;
-    return step * ThreePoints(p[corner], p[between], end).atFirst;
-  }
-
-  // Knots: as few as arcs through the points between them allow
-
-  [[nodiscard]] std::vector<std::size_t> knotsBetween(std::size_t from, std::size_t to) const {
+  /// Half of what chords and curve are apart cannot be avoided; half the tolerance is for having few arcs.
+  [[nodiscard]] double reachIn(std::size_t from, std::size_t to) const {
     double most = 0;
     for (std::size_t i = from; i < to; ++i) {
       most = std::max(most, std::abs(m_shape.sagitta[i]));
     }
-    const double reach = std::max(m_tolerance - most / 2, m_tolerance / 4) / 2; // the rest is for the directions
-    std::vector<std::size_t> knots{from};
-    while (knots.back() < to) {
-      knots.push_back(farthestByArc(knots.back(), to, reach));
-    }
-    return knots;
+    return std::min(m_tolerance, (most + m_tolerance) / 2);
   }
 
-  /// Doubles the step while an arc passes all points, then halves it.
-  [[nodiscard]] std::size_t farthestByArc(std::size_t from, std::size_t to, double reach) const {
-    std::size_t good = from + 1;
-    std::size_t step = 1;
-    while (good + step <= to && isByArc(from, good + step, reach)) {
-      good += step;
-      step *= 2;
+  /// Two arcs from vertex to vertex, and how far the chords between are from them.
+  struct Span {
+    Biarc arcs;
+    Station end;
+    double distance = 0;
+  };
+
+  /// A direction that is not given is free.
+  [[nodiscard]] Span spanBetween(std::size_t from, Station start, std::size_t to) const {
+    Station end = to == m_section.to ? m_section.end : Station{m_shape.centred[to], Vector::Zero()};
+    if (end.tangent.isZero()) {
+      end.tangent = to == m_section.to ? tangentAtCorner(to, from, -1) : tangentAtKnot(to, from);
     }
-    for (; step > 0; step /= 2) {
-      if (good + step <= to && isByArc(from, good + step, reach)) {
+    if (start.tangent.isZero()) {
+      start.tangent = tangentAtCorner(from, to, 1);
+    }
+    Span span{geometry::biarcBetween(start, end), end, 0};
+    span.distance = distanceFromChords(span.arcs, vertices(from, to), m_section.reach);
+    return span;
+  }
+
+  [[nodiscard]] bool reaches(std::size_t from, const Station& start, std::size_t to) const {
+    return std::abs(turnBetween(from, to)) <= kMostTurnOfSpan &&
+           spanBetween(from, start, to).distance <= m_section.reach;
+  }
+
+  /// The whole way if two arcs do; else doubles the step while they do, then halves it. Beside corners and lines a few
+  /// chords may be harder to follow than many: one failure does not end the doubling.
+  [[nodiscard]] std::size_t farthestFrom(std::size_t from, const Station& start) const {
+    if (reaches(from, start, m_section.to)) {
+      return m_section.to;
+    }
+    std::size_t good = from + 1;
+    std::size_t step = 2;
+    for (int failures = 0; failures < 2 && from + step < m_section.to; step *= 2) {
+      if (reaches(from, start, from + step)) {
+        good = from + step;
+        failures = 0;
+      } else {
+        ++failures;
+      }
+    }
+    for (step = good - from; step > 0; step /= 2) {
+      if (good + step < m_section.to && reaches(from, start, good + step)) {
         good += step;
       }
     }
     return good;
   }
 
-  [[nodiscard]] bool isByArc(std::size_t from, std::size_t to, double reach) const {
+  /// The direction at a vertex that two arcs from another end in: of the circle through it and points a little before
+  /// and after it, so far away that the rounding of the drawing does not show in the direction.
+  [[nodiscard]] Vector tangentAtKnot(std::size_t knot, std::size_t from) const {
+    const double reach = (m_shape.way[knot] - m_shape.way[from]) * kTangentShare;
+    const std::size_t a = std::clamp(nearestVertex(m_shape.way[knot] - reach), m_section.from, knot - 1);
+    const std::size_t b = std::clamp(nearestVertex(m_shape.way[knot] + reach), knot + 1, m_section.to);
     const std::vector<Point>& p = m_shape.centred;
-    const ThreePoints circle(p[from], p[nearestBetween(from, to)], p[to]);
-    if (std::abs(circle.curvature) * (m_shape.way[to] - m_shape.way[from]) > kMostArcTurn) {
-      return false;
-    }
-    const Curve arc = circle.curvature == 0
-                          ? Curve(Line{p[from], p[to]})
-                          : Curve(Arc{p[from], circle.atFirst, circle.curvature, 1 / std::abs(circle.curvature)});
-    for (std::size_t i = from + 1; i < to; ++i) {
-      if (std::abs(leftDistance(arc, p[i])) > reach) {
-        return false;
-      }
-    }
-    return true;
+    return ThreePoints(p[a], p[knot], p[b]).atMiddle;
   }
 
-  /// The vertex nearest to half-way, but neither end.
-  [[nodiscard]] std::size_t nearestBetween(std::size_t from, std::size_t to) const {
-    return std::clamp(nearestVertex((m_shape.way[from] + m_shape.way[to]) / 2), from + 1, to - 1);
+  /// `step` is 1 at the start of a section and −1 at its end; the tangent is in the direction of travel.
+  [[nodiscard]] Vector tangentAtCorner(std::size_t corner, std::size_t other, int step) const {
+    const std::vector<Point>& p = m_shape.centred;
+    const std::size_t chords = step > 0 ? other - corner : corner - other;
+    const std::size_t away = std::max<std::size_t>(1, chords / 8);
+    const auto at = [&](std::size_t k) { return p[step > 0 ? corner + k : corner - k]; };
+    if (chords < 2) {
+      return step * (p[other] - p[corner]).normalized();
+    }
+    return step * ThreePoints(p[corner], at(away), at(2 * away)).atFirst;
   }
+
+  struct Section {
+    std::size_t from = 0;
+    std::size_t to = 0;
+    Station end;
+    double reach = 0; ///< how far two arcs may be from the chords, mm
+  };
 
   ChordRun m_run;
+  std::size_t m_rotated = 0; ///< number that its first vertex had when it came
   double m_tolerance;
+  Section m_section; ///< that is being fitted
   ChordShape m_shape;
   std::vector<Straight> m_straights;
   FittedRun m_result;
