@@ -26,13 +26,15 @@ Curve arcFrom(const Point& from, const Vector& tangent, const Point& to) {
   return Arc{from, tangent, curvature, 2 * half / curvature};
 }
 
-/// The one arc that both are, if they are.
-std::optional<Curve> common(const Curve& first, const Curve& second) {
+/// The one arc from 0 to `to` that both are, if they are; two all but straight ones may make up a line.
+std::optional<Curve> common(const Curve& first, const Curve& second, const Point& to) {
   const auto* a = std::get_if<Arc>(&first);
   const auto* b = std::get_if<Arc>(&second);
   const double length = parameterLength(first) + parameterLength(second);
   if (a && b && std::abs(a->curvature - b->curvature) * length * std::max(1.0, length) < kUnnoticedTurn) {
-    return Arc{a->start, a->tangent, (a->sweep() + b->sweep()) / length, length};
+    const double sweep = a->sweep() + b->sweep();
+    return std::abs(sweep) < kStraightTurn ? Curve(Line{a->start, to})
+                                           : Curve(Arc{a->start, a->tangent, sweep / length, length});
   }
   return std::nullopt;
 }
@@ -57,7 +59,7 @@ Biarc biarcBetween(const Station& start, const Station& end) {
   const Point middle = (d * start.tangent + v - d * end.tangent) / 2;
   const Curve first = arcFrom(Point::Zero(), start.tangent, middle);
   const Curve second = reversed(arcFrom(v, -end.tangent, middle));
-  if (const std::optional<Curve> one = common(first, second)) {
+  if (const std::optional<Curve> one = common(first, second, v)) {
     return {shiftedBy(*one, start.point), std::nullopt};
   }
   return {shiftedBy(first, start.point), shiftedBy(second, start.point)};

@@ -78,7 +78,8 @@ std::vector<Homogeneous> homogeneous(const Spline& spline) {
 // (degree − j times) and the upper one (j times): de Boor's scheme with these in place of one parameter.
 Homogeneous blossom(const std::vector<Homogeneous>& points, const std::vector<double>& knots, std::size_t degree,
                     std::size_t span, std::size_t j) {
-  Controls d{};
+  Controls d;
+  d.fill(Homogeneous::Zero());
   std::copy_n(points.begin() + static_cast<std::ptrdiff_t>(span - degree), degree + 1, d.begin());
   for (std::size_t round = 1; round <= degree; ++round) {
     const double at = round <= j ? knots[span + 1] : knots[span];
@@ -231,7 +232,8 @@ std::string flawOf(const Spline& spline) {
 }
 
 Station stationAt(const Bezier& bezier, double t) {
-  Controls controls{};
+  Controls controls;
+  controls.fill(Homogeneous::Zero());
   if (t <= 0.5) {
     std::copy(bezier.points.begin(), bezier.points.end(), controls.begin());
     return stationFromStart(controls, bezier.points.size(), t);

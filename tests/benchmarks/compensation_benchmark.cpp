@@ -17,7 +17,7 @@ namespace {
 constexpr double kEdge = 10;       ///< mm
 constexpr double kWave = 400;      ///< mm, length of a wave
 constexpr double kAmplitude = 60;  ///< mm: hollows of down to 67 mm radius
-constexpr double kTooth = 5; ///< mm
+constexpr double kTooth = 5;       ///< mm
 constexpr double kPerUnit = 1e5;   ///< Clipper's integers: 10 nm
 constexpr double kArcError = 1e-3; ///< mm, of Clipper's chords round a corner
 

@@ -135,6 +135,12 @@ DxfText& DxfText::addGroups(std::string_view groups) {
   return *this;
 }
 
+DxfText& DxfText::addBlock(std::string_view name, const geometry::Point& base, std::string_view groups) {
+  m_blocks += asGroups(fmt::format("0 BLOCK\n8 0\n2 {}\n70 0\n{}", name, pointGroups(10, base)));
+  m_blocks += asGroups(groups) + asGroups("0 ENDBLK");
+  return *this;
+}
+
 std::string DxfText::text() const {
   std::string text;
   const auto section = [&text](std::string_view name, const std::string& content) {
@@ -151,6 +157,14 @@ std::string DxfText::text() const {
   }
   section("ENTITIES", m_entities);
   return text + asGroups("0 EOF");
+}
+
+std::string polylineGroups(const std::vector<geometry::Point>& corners, bool closed, std::string_view layer) {
+  std::string groups = fmt::format("0 LWPOLYLINE\n8 {}\n90 {}\n70 {}\n", layer, corners.size(), closed ? 1 : 0);
+  for (const geometry::Point& corner : corners) {
+    groups += pointGroups(10, corner);
+  }
+  return groups;
 }
 
 std::int64_t lineOf(std::string_view text, std::string_view needle) {

@@ -43,6 +43,9 @@ public:
   /// Any groups, each "code value" on a line of its own: "0 TEXT\n8 0".
   DxfText& addGroups(std::string_view groups);
 
+  /// A block with these entities, each group "code value" on a line of its own.
+  DxfText& addBlock(std::string_view name, const geometry::Point& base, std::string_view groups);
+
   [[nodiscard]] std::string text() const;
 
 private:
@@ -59,6 +62,10 @@ private:
 
 /// The groups of `groups`, one "code value" on each line, as DXF: code and value on lines of their own.
 [[nodiscard]] std::string asGroups(std::string_view groups);
+
+/// The groups "code value" of a polyline of these corners on a layer, as LWPOLYLINE.
+[[nodiscard]] std::string polylineGroups(const std::vector<geometry::Point>& corners, bool closed,
+                                         std::string_view layer = "0");
 
 /// Line of the file, from 1, on which `needle` first begins.
 [[nodiscard]] std::int64_t lineOf(std::string_view text, std::string_view needle);

@@ -28,7 +28,7 @@ std::string refusalOf(const base::Problems& problems) {
   const auto first = std::find_if(problems.begin(), problems.end(),
                                   [](const auto& p) { return base::severityOf(p) == base::Severity::Error; });
   const bool notYet = std::any_of(problems.begin(), problems.end(), [](const auto& p) {
-    return p.code == Code::DxfBinary || p.code == Code::EntityNotSupported;
+    return p.code == Code::EntityNotSupported;
   });
   return fmt::format("{}: {}", notYet ? "skipped" : "refused", base::describeWithPlace(*first, "on the table"));
 }
@@ -93,7 +93,7 @@ TEST(Corpus, EveryDrawingIsPlannedOrRefusedInWords) {
     ++counts[outcome.text.substr(0, outcome.text.find(':'))];
   }
   std::cout << files.size() << " drawings: " << counts["planned"] << " planned, " << counts["refused"] << " refused, "
-            << counts["skipped"] << " skipped (binary, several contours, concave corners, or entities not read yet)\n";
+            << counts["skipped"] << " skipped (several contours, concave corners, or entities not read yet)\n";
 }
 
 } // namespace

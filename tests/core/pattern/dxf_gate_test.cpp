@@ -54,7 +54,7 @@ std::vector<Refused> notEvenDxf() {
   return {
       {"nothing", "", Code::DxfEmpty, {}},
       {"blanks", " \n\r\n\t\n", Code::DxfEmpty, {}},
-      {"binary", "AutoCAD Binary DXF\r\n\x1a", Code::DxfBinary, {}},
+      {"binary cut off", "AutoCAD Binary DXF\r\n\x1a", Code::DxfBinary, {}},
       {"dwg", "AC1027 and so on", Code::DxfNotDxf, {}},
       {"utf16",
        std::string("\xFF\xFE"
@@ -108,6 +108,21 @@ std::vector<Refused> brokenSections() {
   };
 }
 
+std::vector<Refused> brokenBlocks() {
+  const auto withBlocks = [](std::string name, std::string_view groups, std::string_view place) {
+    const std::string text = asGroups("0 SECTION\n2 BLOCKS\n" + std::string(groups) + "\n0 ENDSEC") + square();
+    return Refused{std::move(name), text, Code::DxfSection, lineOf(text, place)};
+  };
+  return {
+      withBlocks("block without an end", "0 BLOCK\n2 A\n0 BLOCK\n2 B\n0 ENDBLK", "BLOCK\n2\nB"),
+      withBlocks("last block without an end", "0 BLOCK\n2 A", "ENDSEC"),
+      withBlocks("end without a block", "0 ENDBLK", "ENDBLK"),
+      withBlocks("entity outside of blocks", "0 CIRCLE\n10 0\n20 0\n40 1", "CIRCLE"),
+      withBlocks("polyline without an end in a block", "0 BLOCK\n2 A\n0 POLYLINE\n0 VERTEX\n10 1\n20 2\n0 ENDBLK",
+                 "ENDBLK"),
+  };
+}
+
 std::vector<Refused> brokenEntities() {
   return {
       wrongEntity("line without its end", "0 LINE\n8 BAD\n10 1\n20 2\n11 3", Code::DxfEntityIncomplete, "LINE\n8\nBAD"),
@@ -140,6 +155,18 @@ std::vector<Refused> brokenEntities() {
       wrongEntity("vertex without a polyline", "0 VERTEX\n10 1\n20 2", Code::DxfSection, "VERTEX"),
       wrongEntity("end without a polyline", "0 SEQEND", Code::DxfSection, "SEQEND"),
       wrongEntity("number for a name", "0 123", Code::DxfSection, "123"),
+      wrongEntity("spline without points", "0 SPLINE\n8 BAD\n71 3", Code::DxfEntityIncomplete, "SPLINE\n8\nBAD"),
+      wrongEntity("spline with a point without Y", "0 SPLINE\n10 1\n10 888\n20 4", Code::DxfEntityIncomplete, "888"),
+      wrongEntity("spline with fewer knots than announced", "0 SPLINE\n8 BAD\n72 3\n73 1\n40 0\n40 1\n10 1\n20 1",
+                  Code::DxfVertexCount, "SPLINE\n8\nBAD"),
+      wrongEntity("spline with fewer control points than announced", "0 SPLINE\n8 BAD\n73 2\n10 1\n20 1",
+                  Code::DxfVertexCount, "SPLINE\n8\nBAD"),
+      wrongEntity("spline with a thousand million fit points announced", "0 SPLINE\n8 BAD\n74 1000000000\n11 1\n21 1",
+                  Code::DxfVertexCount, "SPLINE\n8\nBAD"),
+      wrongEntity("ellipse without a major axis", "0 ELLIPSE\n8 BAD\n10 0\n20 0\n40 0.5", Code::DxfEntityIncomplete,
+                  "ELLIPSE\n8\nBAD"),
+      wrongEntity("ellipse of ratio 0", "0 ELLIPSE\n10 0\n20 0\n11 1\n21 0\n40 0.00", Code::DxfEntityValue, "0.00\n"),
+      wrongEntity("insert without a name", "0 INSERT\n8 BAD\n10 0\n20 0", Code::DxfEntityIncomplete, "INSERT\n8\nBAD"),
       wrongEntity("spline with a number that is none", "0 SPLINE\n40 0.x5", Code::DxfNumber, "0.x5"),
   };
 }
@@ -155,6 +182,7 @@ std::string nameOf(const testing::TestParamInfo<Refused>& info) {
 INSTANTIATE_TEST_SUITE_P(RefusesWhatIsNoDxf, Gate, testing::ValuesIn(notEvenDxf()), nameOf);
 INSTANTIATE_TEST_SUITE_P(RefusesBrokenGroups, Gate, testing::ValuesIn(brokenGroups()), nameOf);
 INSTANTIATE_TEST_SUITE_P(RefusesBrokenSections, Gate, testing::ValuesIn(brokenSections()), nameOf);
+INSTANTIATE_TEST_SUITE_P(RefusesBrokenBlocks, Gate, testing::ValuesIn(brokenBlocks()), nameOf);
 INSTANTIATE_TEST_SUITE_P(RefusesBrokenEntities, Gate, testing::ValuesIn(brokenEntities()), nameOf);
 
 TEST_P(Gate, NamesWhatIsWrongAndItsLine) {
@@ -257,7 +285,12 @@ TEST(CorruptFile, NeverDoesMoreThanGetRefused) {
                                .add(geometry::arcAbout({30, 30}, 10, 0, 6.283185307179586))
                                .addGroups("0 LWPOLYLINE\n90 3\n70 1\n10 1\n20 2\n42 0.5\n10 3\n20 4\n10 5\n20 9")
                                .addGroups("0 POLYLINE\n66 1\n70 1\n0 VERTEX\n10 5\n20 6\n42 1\n0 VERTEX\n10 7\n20 8\n"
-                                          "0 SEQEND\n0 TEXT\n1 text\n0 SPLINE\n40 0")
+                                          "0 SEQEND\n0 TEXT\n1 text\n0 ELLIPSE\n10 0\n20 5\n11 9\n21 3\n40 0.4")
+                               .addGroups("0 SPLINE\n71 2\n72 6\n73 3\n40 0\n40 0\n40 0\n40 1\n40 1\n40 1\n10 0\n"
+                                          "20 0\n41 1\n10 9\n20 5\n41 2\n10 20\n20 0\n41 1")
+                               .addBlock("B", {1, 2}, "0 ARC\n10 1\n20 2\n40 3\n50 4\n51 99\n0 INSERT\n2 C\n10 1\n20 1")
+                               .addBlock("C", {0, 0}, "0 SPLINE\n74 3\n11 0\n21 0\n11 9\n21 5\n11 20\n21 0")
+                               .addGroups("0 INSERT\n2 B\n10 5\n20 6\n41 2\n42 1\n50 30\n70 2\n44 9")
                                .text();
   std::mt19937 random(20240607);
   const std::string likely("0123456789.-+eE \n\r\0", 19);

@@ -143,7 +143,9 @@ TEST_P(UnitsOf, AreTakenFromOptionThenInsunitsThenMeasurement) {
   if (GetParam().measurement) {
     drawing.measurement(*GetParam().measurement);
   }
-  const Pattern pattern = readDxf(drawing.add(Line{{0, 0}, {10, 0}}).text(), {.units = GetParam().option});
+  ImportOptions options;
+  options.units = GetParam().option;
+  const Pattern pattern = readDxf(drawing.add(Line{{0, 0}, {10, 0}}).text(), options);
   EXPECT_EQ(pattern.units, GetParam().units);
   EXPECT_EQ(pattern.unitsFrom, GetParam().from);
   ASSERT_EQ(pattern.loose.size(), 1U);
