@@ -162,7 +162,7 @@ std::string DxfText::text() const {
 std::string polylineGroups(const std::vector<geometry::Point>& corners, bool closed, std::string_view layer) {
   std::string groups = fmt::format("0 LWPOLYLINE\n8 {}\n90 {}\n70 {}\n", layer, corners.size(), closed ? 1 : 0);
   for (const geometry::Point& corner : corners) {
-    groups += pointGroups(10, corner);
+    groups += DxfText().pointGroups(10, corner);
   }
   return groups;
 }

@@ -48,9 +48,11 @@ public:
 
   [[nodiscard]] std::string text() const;
 
+  /// The groups "code value" of a point, the code of its X being `code`.
+  [[nodiscard]] std::string pointGroups(int code, const geometry::Point& p) const;
+
 private:
   [[nodiscard]] std::string number(double x) const;
-  [[nodiscard]] std::string pointGroups(int code, const geometry::Point& p) const;
   [[nodiscard]] std::string arcGroups(const geometry::Arc& arc, std::string_view layer) const;
 
   std::optional<int> m_decimals;
