@@ -84,6 +84,7 @@ enum class Code {
   NoRelief,
   SlowCorner,
   NoLead,
+  NoLeadAccepted,
   OverlapShortened,
   OutsideTravel,
   WheelBelowTable,

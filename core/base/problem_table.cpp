@@ -106,6 +106,9 @@ const std::vector<CodeInfo>& allCodes() {
       {NoLead, "no-lead", Error,
        "The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the glass and has {distance_mm} "
        "mm. Start on a longer edge away from sharp corners, or change the lead's radius."},
+      {NoLeadAccepted, "no-lead-accepted", Warning,
+       "The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the glass and has {distance_mm} "
+       "mm. What it would grind from here stays unground."},
       {OverlapShortened, "overlap-shortened", Note,
        "The overlap is {used_mm} mm, a quarter of the contour, instead of {wanted_mm} mm."},
       {OutsideTravel, "outside-travel", Error,

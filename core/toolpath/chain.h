@@ -12,9 +12,10 @@ struct StartPoint {
   double along = 0;
 };
 
-/// The middle of the longest line (else arc) along the contour. Independent of the drawing's order: lengths within 1 µm
-/// count as equal, then the least Y, then the least X of the middle decides; a full circle starts at its least Y.
-[[nodiscard]] StartPoint chooseStart(const WheelLoop& loop);
+/// Where the wheel may start, best first: the middle of the longest line along the contour, then of the next longest,
+/// then of arcs along it, then of what leads round corners. Independent of the drawing's order: lengths within 1 µm count
+/// as equal, then the least Y, then the least X of the middle decides; a full circle starts at its least Y.
+[[nodiscard]] std::vector<StartPoint> startsOn(const WheelLoop& loop);
 
 /// A place on a contour and how far it is from a given point.
 struct NearestOnLoop {

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <optional>
+#include <tuple>
+#include <utility>
 
 namespace arris::toolpath {
 namespace {
@@ -42,43 +44,49 @@ Worth worthOf(const Step& step) {
   return std::holds_alternative<Line>(step.path) ? Worth::Line : Worth::Arc;
 }
 
+// Rounded, so that rounding does not decide and the order is one.
 bool lower(const Point& a, const Point& b) {
-  if (std::abs(a.y() - b.y()) > base::kSamePlace) {
-    return a.y() < b.y();
-  }
-  return a.x() < b.x();
+  const auto place = [](const Point& p) {
+    return std::tuple(std::round(p.y() / base::kSamePlace), std::round(p.x() / base::kSamePlace), p.y(), p.x());
+  };
+  return place(a) < place(b);
 }
 
 Candidate candidate(const WheelLoop& loop, std::size_t index) {
   const Step& step = loop.steps[index];
   const double length = geometry::parameterLength(step.path);
   const double along = isFullCircle(step.path) ? leastY(step.path) : length / 2;
-  return {worthOf(step), step.role == Role::Transition ? 0 : length, geometry::pointAt(step.path, along),
+  return {worthOf(step), length, geometry::pointAt(step.path, along),
           {index, along}};
 }
 
 } // namespace
 
-StartPoint chooseStart(const WheelLoop& loop) {
+std::vector<StartPoint> startsOn(const WheelLoop& loop) {
   std::vector<Candidate> candidates;
   candidates.reserve(loop.steps.size());
-  Worth worth = Worth::Corner;
   for (std::size_t i = 0; i < loop.steps.size(); ++i) {
-    candidates.push_back(candidate(loop, i));
-    worth = std::max(worth, candidates.back().worth);
-  }
-  double longest = 0;
-  for (const Candidate& c : candidates) {
-    longest = c.worth == worth ? std::max(longest, c.length) : longest;
-  }
-  std::optional<Candidate> best;
-  for (const Candidate& c : candidates) {
-    const bool eligible = c.worth == worth && c.length >= longest - base::kSamePlace;
-    if (eligible && (!best || lower(c.middle, best->middle))) {
-      best = c;
+    if (loop.steps[i].role != Role::Transition) {
+      candidates.push_back(candidate(loop, i));
     }
   }
-  return best ? best->start : StartPoint{};
+  // Lengths within `kSamePlace` of the longest count as equal: those come first, then the next longest, and so on.
+  const auto longerFirst = [](const Candidate& a, const Candidate& b) {
+    return std::pair(a.worth, a.length) > std::pair(b.worth, b.length);
+  };
+  std::stable_sort(candidates.begin(), candidates.end(), longerFirst);
+  for (auto first = candidates.begin(); first != candidates.end();) {
+    const auto end = std::find_if(first, candidates.end(), [first](const Candidate& c) {
+      return c.worth != first->worth || c.length < first->length - base::kSamePlace;
+    });
+    std::sort(first, end, [](const Candidate& a, const Candidate& b) { return lower(a.middle, b.middle); });
+    first = end;
+  }
+  std::vector<StartPoint> starts;
+  starts.reserve(candidates.size());
+  std::transform(candidates.begin(), candidates.end(), std::back_inserter(starts),
+                 [](const Candidate& c) { return c.start; });
+  return starts;
 }
 
 NearestOnLoop nearestOnLoop(const Glass& glass, const WheelLoop& loop, const Point& wanted) {

@@ -89,10 +89,12 @@ public:
     const std::size_t withStart =
         m_recipe.start ? loopOfStart(m_glass, loops, *m_recipe.start) : loops.size();
     for (std::size_t i = 0; i < loops.size(); ++i) {
-      const StartPoint start =
-          i == withStart ? nearestOnLoop(m_glass, loops[i], *m_recipe.start).start : chooseStart(loops[i]);
-      addLoop(std::move(loops[i]), start);
+      addLoop(std::move(loops[i]), i == withStart);
     }
+  }
+
+  [[nodiscard]] const std::vector<WheelLoop>& leftOut() const {
+    return m_leftOut;
   }
 
   [[nodiscard]] const std::vector<WheelLoop>& loops() const {
@@ -106,6 +108,7 @@ public:
       chains.push_back(std::move(traced.chain));
     }
     Toolpath result;
+    result.problems = m_leftOutProblems;
     for (const std::size_t i : orderOfChains(chains, contours, park)) {
       addNumbered(std::move(chains[i]), m_traced[i], result);
     }
@@ -113,24 +116,53 @@ public:
   }
 
 private:
-  // A loop that cannot be entered is left out where the recipe accepts that: then its edges stay unreached.
-  void addLoop(WheelLoop loop, const StartPoint& start) {
-    const EdgeId first = loop.steps[start.step].edge;
-    const int contour = m_glass.ringOf(first).contour;
-    Problems problems;
-    const double overlap = m_leads == Leads::With ? overlapOn(loop, contour, m_recipe, problems) : 0;
-    Traced traced = traceLoop(m_glass, loop, start, overlap);
-    if (m_leads == Leads::With) {
-      const EdgeId last = traced.lastEdge;
-      addLeads(traced.chain, m_recipe);
-      append(problems, checkLeads(traced.chain, first, last, m_glass, m_recipe));
-      if (m_recipe.acceptUnreached && base::hasErrors(problems)) {
-        return;
-      }
+  void addLoop(WheelLoop loop, bool atGivenStart) {
+    Traced traced = atGivenStart ? tracedFrom(loop, nearestOnLoop(m_glass, loop, *m_recipe.start).start)
+                                 : tracedFromBestStart(loop);
+    const bool canBeEntered = !base::hasErrors(traced.problems);
+    if (!canBeEntered && m_recipe.acceptUnreached) {
+      m_leftOutProblems.push_back(leftOutBecauseOf(traced.problems));
+      m_leftOut.push_back(std::move(loop));
+      return;
     }
-    append(traced.problems, problems);
     m_traced.push_back(std::move(traced));
     m_loops.push_back(std::move(loop));
+  }
+
+  // Where the leads have no room at the best start they may have it elsewhere.
+  [[nodiscard]] Traced tracedFromBestStart(const WheelLoop& loop) const {
+    constexpr std::size_t kMostTried = 100;
+    const std::vector<StartPoint> starts = startsOn(loop);
+    const std::size_t most = m_leads == Leads::With ? std::min(kMostTried, starts.size()) : 1;
+    Traced first = tracedFrom(loop, starts.front());
+    for (std::size_t i = 1; i < most && base::hasErrors(first.problems); ++i) {
+      Traced other = tracedFrom(loop, starts[i]);
+      if (!base::hasErrors(other.problems)) {
+        return other;
+      }
+    }
+    return first;
+  }
+
+  [[nodiscard]] Traced tracedFrom(const WheelLoop& loop, const StartPoint& start) const {
+    const EdgeId first = loop.steps[start.step].edge;
+    Problems problems;
+    const double overlap =
+        m_leads == Leads::With ? overlapOn(loop, m_glass.ringOf(first).contour, m_recipe, problems) : 0;
+    Traced traced = traceLoop(m_glass, loop, start, overlap);
+    if (m_leads == Leads::With) {
+      addLeads(traced.chain, m_recipe);
+      append(problems, checkLeads(traced.chain, first, traced.lastEdge, m_glass, m_recipe));
+    }
+    append(traced.problems, problems);
+    return traced;
+  }
+
+  static Problem leftOutBecauseOf(const Problems& problems) {
+    Problem problem = *std::find_if(problems.begin(), problems.end(),
+                                    [](const Problem& p) { return p.code == Code::NoLead; });
+    problem.code = Code::NoLeadAccepted;
+    return problem;
   }
 
   // Numbers within a chain become numbers within the program.
@@ -161,6 +193,8 @@ private:
   Leads m_leads;
   std::vector<WheelLoop> m_loops;
   std::vector<Traced> m_traced;
+  std::vector<WheelLoop> m_leftOut; ///< that cannot be entered, where the recipe accepts that they stay unground
+  Problems m_leftOutProblems;
 };
 
 } // namespace
@@ -180,7 +214,7 @@ Toolpath makeToolpath(const std::vector<pattern::Contour>& placed, const recipe:
   }
   Builder builder(glass, recipe, leads);
   builder.addLoops(std::move(loops));
-  Unreached unreached = findUnreached(glass, builder.loops(), recipe);
+  Unreached unreached = findUnreached(glass, builder.loops(), builder.leftOut(), recipe);
   Toolpath result = builder.inOrder(placed, park);
   result.unground = std::move(unreached.unground);
   append(result.problems, unreached.problems);

@@ -23,15 +23,14 @@ struct Touched {
   Stretch ground;
   Point wheelFrom;
   Point wheelTo;
+  bool leftOut = false; ///< it could be touched, and is not
 };
 
 double lengthOf(const Glass& glass, EdgeId edge) {
   return geometry::parameterLength(glass.edges()[edge]);
 }
 
-/// All that is touched, along the rings.
-std::vector<Touched> touchedParts(const Glass& glass, const std::vector<WheelLoop>& loops) {
-  std::vector<Touched> touched;
+void addTouched(std::vector<Touched>& touched, const Glass& glass, const std::vector<WheelLoop>& loops, bool leftOut) {
   for (const WheelLoop& loop : loops) {
     for (const Step& step : loop.steps) {
       const bool isCorner = step.role != Role::Contour;
@@ -40,9 +39,17 @@ std::vector<Touched> touchedParts(const Glass& glass, const std::vector<WheelLoo
       }
       const double end = lengthOf(glass, step.edge);
       touched.push_back({step.edge, isCorner ? Stretch{end, end} : step.ground, geometry::startPoint(step.path),
-                         geometry::endPoint(step.path)});
+                         geometry::endPoint(step.path), leftOut});
     }
   }
+}
+
+/// All that is touched or could be, along the rings.
+std::vector<Touched> touchedParts(const Glass& glass, const std::vector<WheelLoop>& loops,
+                                  const std::vector<WheelLoop>& leftOut) {
+  std::vector<Touched> touched;
+  addTouched(touched, glass, loops, false);
+  addTouched(touched, glass, leftOut, true);
   const auto place = [](const Touched& t) { return std::tuple(t.edge, t.ground.from); };
   std::stable_sort(touched.begin(), touched.end(), [&](const Touched& a, const Touched& b) { return place(a) < place(b); });
   return touched;
@@ -115,15 +122,11 @@ private:
 
 class Finder {
 public:
-  Finder(const Glass& glass, const std::vector<WheelLoop>& loops, const recipe::Recipe& recipe)
-      : m_glass(glass), m_recipe(recipe), m_touched(touchedParts(glass, loops)) {
-    for (const WheelLoop& loop : loops) {
-      for (std::size_t i = 0; i < loop.corners.size(); ++i) {
-        if (loop.corners[i].kind == CornerKind::Concave) {
-          m_concave[loop.cornerEdges[i]] = glass.next(loop.cornerEdges[i]);
-        }
-      }
-    }
+  Finder(const Glass& glass, const std::vector<WheelLoop>& loops, const std::vector<WheelLoop>& leftOut,
+         const recipe::Recipe& recipe)
+      : m_glass(glass), m_recipe(recipe), m_touched(touchedParts(glass, loops, leftOut)) {
+    noteConcave(loops);
+    noteConcave(leftOut);
   }
 
   Unreached find() {
@@ -140,10 +143,21 @@ public:
 private:
   using Iterator = std::vector<Touched>::const_iterator;
 
+  void noteConcave(const std::vector<WheelLoop>& loops) {
+    for (const WheelLoop& loop : loops) {
+      for (std::size_t i = 0; i < loop.corners.size(); ++i) {
+        if (loop.corners[i].kind == CornerKind::Concave) {
+          m_concave[loop.cornerEdges[i]] = m_glass.next(loop.cornerEdges[i]);
+        }
+      }
+    }
+  }
+
   double alongRing(Iterator from, Iterator to) {
     double unground = 0;
     for (auto t = from; t != to; ++t) {
       const auto next = t + 1 == to ? from : t + 1;
+      unground += t->leftOut ? t->ground.to - t->ground.from : 0;
       const bool closesOnItself = next == t && t->ground.to - t->ground.from >= lengthOf(m_glass, t->edge);
       if (closesOnItself) {
         continue;
@@ -200,8 +214,9 @@ private:
 
 } // namespace
 
-Unreached findUnreached(const Glass& glass, const std::vector<WheelLoop>& loops, const recipe::Recipe& recipe) {
-  return Finder(glass, loops, recipe).find();
+Unreached findUnreached(const Glass& glass, const std::vector<WheelLoop>& loops, const std::vector<WheelLoop>& leftOut,
+                        const recipe::Recipe& recipe) {
+  return Finder(glass, loops, leftOut, recipe).find();
 }
 
 } // namespace arris::toolpath

@@ -13,8 +13,9 @@ struct Unreached {
 };
 
 /// Finds every stretch of contour that is left more than 1 µm from the wheel in all loops; with the largest wheel that
-/// would leave nothing but fillets there. Errors, or warnings where the recipe accepts them.
+/// would leave nothing but fillets there. Errors, or warnings where the recipe accepts them. What lies along loops left
+/// out stays unground too; that has been told.
 [[nodiscard]] Unreached findUnreached(const Glass& glass, const std::vector<WheelLoop>& loops,
-                                      const recipe::Recipe& recipe);
+                                      const std::vector<WheelLoop>& leftOut, const recipe::Recipe& recipe);
 
 } // namespace arris::toolpath
