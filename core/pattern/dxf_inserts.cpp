@@ -85,7 +85,7 @@ base::Expected<double> BlockSizes::drawnBy(const Entity& entity) {
   if (!block) {
     return 0.0;
   }
-  const base::Expected<double> size = sizeOf(*block, entity);
+  base::Expected<double> size = sizeOf(*block, entity);
   if (!size) {
     return size;
   }
@@ -113,7 +113,7 @@ base::Expected<double> BlockSizes::counted(const Block& block) {
   for (const Entity& entity : block.entities) {
     size += static_cast<double>(1 + entity.vertices);
     if (entity.kind == EntityKind::Insert) {
-      const base::Expected<double> drawn = drawnBy(entity);
+      base::Expected<double> drawn = drawnBy(entity);
       if (!drawn) {
         return drawn;
       }

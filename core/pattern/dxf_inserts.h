@@ -25,8 +25,8 @@ struct Insert {
   bool mirrored = false;          ///< seen from below: X runs the other way
 };
 
-/// `insert` is an INSERT that has passed the gate.
-[[nodiscard]] Insert readInsert(const Entity& insert);
+/// `entity` is an INSERT that has passed the gate.
+[[nodiscard]] Insert readInsert(const Entity& entity);
 
 /// From the coordinates of the block to those in which the INSERT stands, for one copy of its array (from 0).
 [[nodiscard]] Eigen::AffineCompact2d placed(const Insert& insert, const Block& block, std::int64_t column,
@@ -39,7 +39,7 @@ public:
 
   /// What all copies of one INSERT draw, counted as `kMostInserted` is. `BlockInsertsItself` where a block holds
   /// itself, or blocks are nested deeper than `kMostNesting`, on the line of the INSERT that does so.
-  [[nodiscard]] base::Expected<double> drawnBy(const Entity& insert);
+  [[nodiscard]] base::Expected<double> drawnBy(const Entity& entity);
 
 private:
   [[nodiscard]] base::Expected<double> sizeOf(const Block& block, const Entity& insert);

@@ -111,7 +111,7 @@ public:
 
 private:
   void take(const Entity& entity, std::uint32_t placement);
-  void follow(const Entity& insert, LayerRecord& layer, std::string_view layerName, std::uint32_t placement);
+  void follow(const Entity& entity, LayerRecord& layer, std::string_view layerName, std::uint32_t placement);
   void draw(const Insert& insert, const Block& block, std::string_view layer, std::int64_t line, std::uint32_t parent);
   [[nodiscard]] std::optional<Refusal> refusalOfInsert(const Entity& entity, const Insert& insert) const;
   [[nodiscard]] bool hasRoomFor(const Entity& insert);

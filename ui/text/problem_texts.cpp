@@ -205,7 +205,6 @@ const std::vector<const char*>& problemWords() {
       QT_TRANSLATE_NOOP("ProblemWord", "it has a weight of {}, which is not positive"),
       QT_TRANSLATE_NOOP("ProblemWord", "its weights reach from {} to {}"),
       QT_TRANSLATE_NOOP("ProblemWord", "it breaks apart"),
-      QT_TRANSLATE_NOOP("ProblemWord", "its points are all the same"),
       QT_TRANSLATE_NOOP("ProblemWord", "group {} belongs to no entity"),
       QT_TRANSLATE_NOOP("ProblemWord", "group {} stands outside of any section"),
       QT_TRANSLATE_NOOP("ProblemWord", "{} stands outside of any section"),
