@@ -143,7 +143,7 @@ TEST_P(UnitsOf, AreTakenFromOptionThenInsunitsThenMeasurement) {
   if (GetParam().measurement) {
     drawing.measurement(*GetParam().measurement);
   }
-  const Pattern pattern = readDxf(drawing.add(Line{{0, 0}, {10, 0}}).text(), {GetParam().option, 0.05});
+  const Pattern pattern = readDxf(drawing.add(Line{{0, 0}, {10, 0}}).text(), {GetParam().option, 0.05, 0.01, {}});
   EXPECT_EQ(pattern.units, GetParam().units);
   EXPECT_EQ(pattern.unitsFrom, GetParam().from);
   ASSERT_EQ(pattern.loose.size(), 1U);
