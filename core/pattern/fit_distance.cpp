@@ -77,6 +77,35 @@ double farthestOnChord(double atStart, double atEnd, double curvature, double sq
   return most;
 }
 
+/// Between the places where an arc touches two lines it counts, and the lines before and behind.
+class RoundedCorner {
+public:
+  RoundedCorner(const Line& before, const Arc& arc, const Line& after)
+      : m_before(before), m_arc(arc), m_after(after), m_touchIn(before.to), m_touchOut(after.from),
+        m_in(geometry::startTangent(before)), m_out(geometry::startTangent(after)) {}
+
+  /// `isInFirstHalf` tells the lines apart, which may run beside each other.
+  [[nodiscard]] double distance(const Point& p, bool isInFirstHalf) const {
+    if (isOnLine(p, isInFirstHalf)) {
+      return std::abs(leftDistance(isInFirstHalf ? m_before : m_after, p));
+    }
+    return std::abs(leftDistance(m_arc, p));
+  }
+
+  [[nodiscard]] bool isOnLine(const Point& p, bool isInFirstHalf) const {
+    return isInFirstHalf ? m_in.dot(p - m_touchIn) < 0 : m_out.dot(p - m_touchOut) > 0;
+  }
+
+private:
+  Curve m_before;
+  Curve m_arc;
+  Curve m_after;
+  Point m_touchIn;
+  Point m_touchOut;
+  Vector m_in;
+  Vector m_out;
+};
+
 } // namespace
 
 double leftDistance(const Curve& lineOrArc, const Point& point) {
@@ -100,6 +129,26 @@ double distanceFromChords(const Biarc& fitted, std::span<const Point> vertices, 
     const double squaredLength = (vertices[i] - vertices[i - 1]).squaredNorm();
     most = std::max(most, farthestOnChord(before, here, curves.curvature(vertices[i - 1], vertices[i]), squaredLength));
     before = here;
+  }
+  return most;
+}
+
+double distanceFromChords(const Line& before, const Arc& arc, const Line& after, std::span<const Point> vertices) {
+  constexpr int kSamples = 128;
+  const RoundedCorner corner(before, arc, after);
+  const Biarc alone{arc, std::nullopt};
+  double most = 0;
+  for (std::size_t i = 1; i < vertices.size(); ++i) {
+    const bool first = 2 * i < vertices.size();
+    const std::span<const Point> chord = vertices.subspan(i - 1, 2);
+    if (!corner.isOnLine(chord[0], first) && !corner.isOnLine(chord[1], first)) {
+      most = std::max(most, distanceFromChords(alone, chord, HUGE_VAL));
+      continue;
+    }
+    for (int k = 0; k <= kSamples; ++k) {
+      const double share = static_cast<double>(k) / kSamples;
+      most = std::max(most, corner.distance((1 - share) * chord[0] + share * chord[1], first));
+    }
   }
   return most;
 }

@@ -14,4 +14,8 @@ namespace arris::pattern {
 [[nodiscard]] double distanceFromChords(const geometry::Biarc& fitted, std::span<const geometry::Point> vertices,
                                         double enough);
 
+/// The same for an arc between two lines that it touches, of which the chords at either end may follow a part.
+[[nodiscard]] double distanceFromChords(const geometry::Line& before, const geometry::Arc& arc,
+                                        const geometry::Line& after, std::span<const geometry::Point> vertices);
+
 } // namespace arris::pattern

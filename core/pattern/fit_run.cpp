@@ -223,8 +223,8 @@ private:
     if (!hasRoom(a, a.from, from) || !hasRoom(b, to, b.to)) {
       return;
     }
-    const Biarc arc{Arc{from, before, 1 / fillet->radius, std::abs(turn * fillet->radius)}, std::nullopt};
-    const double distance = distanceFromChords(arc, vertices(a.last, end), m_tolerance);
+    const Arc arc{from, before, 1 / fillet->radius, std::abs(turn * fillet->radius)};
+    const double distance = distanceFromChords(Line{a.from, from}, arc, Line{to, b.to}, vertices(a.last, end));
     if (distance <= m_tolerance) {
       a.to = from;
       b.from = to;

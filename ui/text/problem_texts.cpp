@@ -87,8 +87,9 @@ const std::vector<const char*>& problemTemplates() {
       QT_TRANSLATE_NOOP(
           "Problem",
           "From here on the curves of the drawing are too long or too many to follow with arcs ({most} steps)."),
-      QT_TRANSLATE_NOOP("Problem", "{entity} lies {distance_mm} mm away, which is absurd for a pane of glass "
-                                   "(more than {most_mm} mm)."),
+      QT_TRANSLATE_NOOP(
+          "Problem",
+          "{entity} lies {distance_mm} mm away, which is absurd for a pane of glass (more than {most_mm} mm)."),
       QT_TRANSLATE_NOOP("Problem", "{count} × {entity} passed over: {reason}."),
       QT_TRANSLATE_NOOP("Problem", "{count} more of {code} are not listed."),
       QT_TRANSLATE_NOOP("Problem", "A doubled piece of {size_mm} mm was removed."),
@@ -140,6 +141,8 @@ const std::vector<const char*>& problemTemplates() {
       QT_TRANSLATE_NOOP(
           "Problem", "The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the glass and has "
                      "{distance_mm} mm. Start on a longer edge away from sharp corners, or change the lead's radius."),
+      QT_TRANSLATE_NOOP("Problem", "The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the "
+                                   "glass and has {distance_mm} mm. What it would grind from here stays unground."),
       QT_TRANSLATE_NOOP("Problem", "The overlap is {used_mm} mm, a quarter of the contour, instead of {wanted_mm} mm."),
       QT_TRANSLATE_NOOP("Problem", "The wheel path leaves the travel of the machine by {excess_mm} mm: {what}."),
       QT_TRANSLATE_NOOP("Problem", "The wheel's lower face would be {height_mm} mm above the table while grinding; it "

