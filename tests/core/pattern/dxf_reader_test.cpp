@@ -143,13 +143,9 @@ TEST_P(UnitsOf, AreTakenFromOptionThenInsunitsThenMeasurement) {
   if (GetParam().measurement) {
     drawing.measurement(*GetParam().measurement);
   }
-<<<<<<< HEAD
   ImportOptions options;
   options.units = GetParam().option;
   const Pattern pattern = readDxf(drawing.add(Line{{0, 0}, {10, 0}}).text(), options);
-=======
-  const Pattern pattern = readDxf(drawing.add(Line{{0, 0}, {10, 0}}).text(), {GetParam().option, 0.05, 0.01, {}});
->>>>>>> contours
   EXPECT_EQ(pattern.units, GetParam().units);
   EXPECT_EQ(pattern.unitsFrom, GetParam().from);
   ASSERT_EQ(pattern.loose.size(), 1U);
