@@ -13,10 +13,31 @@ using geometry::Evaluation;
 using geometry::Point;
 using geometry::Vector;
 
-/// What a wheel of radius 1 leaves of the edges at the joint, mm; 0 where the joint is not concave.
-double reachOfFillet(const Glass& glass, EdgeId before) {
-  return glass.jointAfter(before) == JointKind::Concave ? std::tan(std::abs(glass.turnAfter(before)) / 2) : 0;
+/// The concave corner at which the smooth way from an edge ends, if it ends at one.
+struct ConcaveEnd {
+  double way = 0;   ///< from the end of the edge to the corner, mm
+  double reach = 0; ///< what a wheel of radius 1 leaves of straight edges there, mm; 0 where there is no such corner
+};
+
+/// `joint(e)` is the edge before the joint that comes after e on the way, `next(e)` the edge after that.
+template <typename Joint, typename Next> ConcaveEnd concaveEnd(const Glass& glass, EdgeId edge, Joint joint, Next next) {
+  constexpr int kMostEdges = 1000;
+  ConcaveEnd end;
+  for (int i = 0; i < kMostEdges; ++i) {
+    const JointKind kind = glass.jointAfter(joint(edge));
+    if (kind != JointKind::Tangential) {
+      end.reach = kind == JointKind::Concave ? std::tan(std::abs(glass.turnAfter(joint(edge))) / 2) : 0;
+      return end;
+    }
+    edge = next(edge);
+    end.way += geometry::parameterLength(glass.edges()[edge]);
+  }
+  return {};
 }
+
+/// Nearer to a concave corner than this share of what the wheel leaves there, nothing is asked of the wheel: curved edges
+/// make the fillet a little larger.
+constexpr double kSurelyInFillet = 0.9;
 
 class Search {
 public:
@@ -28,14 +49,21 @@ public:
     if (const auto* arc = std::get_if<Arc>(&edge); arc && arc->curvature * m_glass.side() > 0) {
       m_best = std::min(m_best, arc->radius());
     }
-    // Fillets must leave something of the edge between them.
-    const double start = reachOfFillet(m_glass, m_glass.previous(part.edge));
-    const double end = reachOfFillet(m_glass, part.edge);
-    m_best = start + end > 0 ? std::min(m_best, length / (start + end)) : m_best;
+    const auto itself = [](EdgeId e) { return e; };
+    const auto next = [this](EdgeId e) { return m_glass.next(e); };
+    const auto previous = [this](EdgeId e) { return m_glass.previous(e); };
+    const ConcaveEnd start = concaveEnd(m_glass, part.edge, previous, previous);
+    const ConcaveEnd end = concaveEnd(m_glass, part.edge, itself, next);
+    if (start.reach + end.reach > 0) { // fillets must leave something between them
+      m_best = std::min(m_best, (start.way + length + end.way) / (start.reach + end.reach));
+    }
     constexpr int kPlaces = 16;
     for (int i = 0; i <= kPlaces; ++i) {
       const double lambda = part.ground.from + (part.ground.to - part.ground.from) * i / kPlaces;
-      at(part.edge, lambda, std::min(start > 0 ? lambda / start : m_best, end > 0 ? (length - lambda) / end : m_best));
+      const auto outsideFillet = [this](const ConcaveEnd& corner, double way) {
+        return corner.reach > 0 ? kSurelyInFillet * (corner.way + way) / corner.reach : m_best;
+      };
+      at(part.edge, lambda, std::min(outsideFillet(start, lambda), outsideFillet(end, length - lambda)));
     }
   }
 
@@ -63,21 +91,13 @@ private:
 
   [[nodiscard]] bool fits(EdgeId edge, const Point& place, const Vector& normal, double radius) const {
     const Point wheel = place + radius * normal;
-    const double least = radius * (1 - 1e-9);
+    const double least = radius * (1 - 1e-6);
     bool free = true;
     m_glass.tree().forNear(geometry::FlatBox(wheel), least, [&](std::size_t other) {
-      free = isBeside(edge, static_cast<EdgeId>(other)) ||
-             geometry::nearest(m_glass.edges()[other], wheel).distance >= least;
+      free = other == edge || geometry::nearest(m_glass.edges()[other], wheel).distance >= least;
       return free;
     });
     return free;
-  }
-
-  // The edge itself, and those that it meets in a concave corner: they make a fillet.
-  [[nodiscard]] bool isBeside(EdgeId edge, EdgeId other) const {
-    return other == edge ||
-           (other == m_glass.next(edge) && m_glass.jointAfter(edge) == JointKind::Concave) ||
-           (other == m_glass.previous(edge) && m_glass.jointAfter(other) == JointKind::Concave);
   }
 
   const Glass& m_glass;

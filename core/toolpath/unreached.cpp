@@ -84,10 +84,10 @@ public:
     return sum;
   }
 
-  /// Whether it is what a wheel leaves at a single concave corner, where it touches both edges at once.
-  [[nodiscard]] bool isFillet(const std::map<EdgeId, EdgeId>& concave) const {
-    const auto corner = concave.find(m_before.edge);
-    return corner != concave.end() && corner->second == m_after.edge && m_parts.size() <= 2 &&
+  /// Whether it is what a wheel leaves at a single concave corner, where it touches both sides at once.
+  [[nodiscard]] bool isFillet(const std::map<EdgeId, EdgeId>& fillets) const {
+    const auto fillet = fillets.find(m_before.edge);
+    return fillet != fillets.end() && fillet->second == m_after.edge &&
            (m_before.wheelTo - m_after.wheelFrom).norm() < 1;
   }
 
@@ -125,8 +125,8 @@ public:
   Finder(const Glass& glass, const std::vector<WheelLoop>& loops, const std::vector<WheelLoop>& leftOut,
          const recipe::Recipe& recipe)
       : m_glass(glass), m_recipe(recipe), m_touched(touchedParts(glass, loops, leftOut)) {
-    noteConcave(loops);
-    noteConcave(leftOut);
+    noteFillets(loops);
+    noteFillets(leftOut);
   }
 
   Unreached find() {
@@ -143,12 +143,10 @@ public:
 private:
   using Iterator = std::vector<Touched>::const_iterator;
 
-  void noteConcave(const std::vector<WheelLoop>& loops) {
+  void noteFillets(const std::vector<WheelLoop>& loops) {
     for (const WheelLoop& loop : loops) {
-      for (std::size_t i = 0; i < loop.corners.size(); ++i) {
-        if (loop.corners[i].kind == CornerKind::Concave) {
-          m_concave[loop.cornerEdges[i]] = m_glass.next(loop.cornerEdges[i]);
-        }
+      for (const Fillet& fillet : loop.fillets) {
+        m_fillets[fillet.before] = fillet.after;
       }
     }
   }
@@ -171,7 +169,7 @@ private:
         continue;
       }
       unground += gap.length();
-      if (!gap.isFillet(m_concave)) {
+      if (!gap.isFillet(m_fillets)) {
         tell(gap.parts(), gap.length(), distance - m_recipe.wheelRadius, place);
       }
     }
@@ -208,7 +206,7 @@ private:
   const Glass& m_glass;
   const recipe::Recipe& m_recipe;
   std::vector<Touched> m_touched;
-  std::map<EdgeId, EdgeId> m_concave; ///< edges at concave corners with a fillet: before, after
+  std::map<EdgeId, EdgeId> m_fillets; ///< edges touched before and after a fillet
   Unreached m_result;
 };
 

@@ -76,7 +76,7 @@ private:
     Corner corner = cornerAfter(piece);
     Step step;
     step.edge = piece.edge;
-    step.corner = addCorner(corner, piece.edge);
+    step.corner = addCorner(corner);
     step.role = Role::Roll;
     step.path = partOf(piece, span);
     if (corner.treatment == Treatment::Transition) {
@@ -110,9 +110,8 @@ private:
     return corner;
   }
 
-  int addCorner(const Corner& corner, EdgeId before) {
+  int addCorner(const Corner& corner) {
     m_result.corners.push_back(corner);
-    m_result.cornerEdges.push_back(before);
     return static_cast<int>(m_result.corners.size()) - 1;
   }
 
@@ -149,28 +148,70 @@ private:
       return s.role == Role::Transition ? 0 : geometry::parameterLength(s.path) / 2;
     };
     bridge.arc = arcAtKink(step.path, next.path, m_glass.side(), most(step), most(next));
-    if (step.role == Role::Contour && next.role == Role::Contour && next.edge == m_glass.next(step.edge) &&
-        m_glass.jointAfter(step.edge) == JointKind::Concave) {
-      bridge.corner = addCorner(concaveCorner(step, next, bridge.arc), step.edge);
+    if (step.role != Role::Contour || next.role != Role::Contour) {
+      return bridge;
+    }
+    if (const std::optional<EdgeId> joint = concaveJointBetween(step.edge, next.edge)) {
+      bridge.corner = addCorner(concaveCorner(step, next, *joint, bridge.arc));
+      m_result.fillets.push_back({step.edge, next.edge});
     }
     return bridge;
   }
 
-  [[nodiscard]] Corner concaveCorner(const Step& step, const Step& next, const std::optional<KinkArc>& arc) const {
+  // The edge before the concave corner where that is all that lies between two edges: curves may need several edges
+  // from where the wheel touches them to the corner, joined tangentially and none too hollow for the wheel.
+  [[nodiscard]] std::optional<EdgeId> concaveJointBetween(EdgeId from, EdgeId to) const {
+    constexpr int kMostEdges = 1000;
+    std::optional<EdgeId> joint;
+    EdgeId edge = from;
+    for (int i = 0; i < kMostEdges && edge != to; ++i) {
+      const JointKind kind = m_glass.jointAfter(edge);
+      if (kind == JointKind::Convex || (kind == JointKind::Concave && joint)) {
+        return std::nullopt;
+      }
+      joint = kind == JointKind::Concave ? std::optional(edge) : joint;
+      edge = m_glass.next(edge);
+      if (edge != to && isTooHollow(m_glass.edges()[edge])) {
+        return std::nullopt;
+      }
+    }
+    return edge == to ? joint : std::nullopt;
+  }
+
+  [[nodiscard]] bool isTooHollow(const Curve& edge) const {
+    const auto* arc = std::get_if<geometry::Arc>(&edge);
+    return arc && arc->curvature * m_glass.side() * m_offset.radius > 1;
+  }
+
+  /// Length of contour from a place on an edge to the end of another one that comes after it.
+  [[nodiscard]] double lengthBetween(EdgeId from, double along, EdgeId to) const {
+    double length = -along;
+    for (EdgeId edge = from;; edge = m_glass.next(edge)) {
+      length += geometry::parameterLength(m_glass.edges()[edge]);
+      if (edge == to) {
+        return length;
+      }
+    }
+  }
+
+  [[nodiscard]] Corner concaveCorner(const Step& step, const Step& next, EdgeId joint,
+                                     const std::optional<KinkArc>& arc) const {
     const Point kink = geometry::endPoint(step.path);
     Corner corner;
     corner.contour = m_glass.ringOf(step.edge).contour;
     corner.kind = CornerKind::Concave;
     corner.treatment = arc ? Treatment::Arc : Treatment::Stop;
     corner.reason = arc ? Reason::ConcaveShallow : Reason::ConcaveDeep;
-    corner.s = geometry::startPoint(m_glass.edges()[next.edge]);
-    corner.angle = kPi + m_glass.side() * m_glass.turnAfter(step.edge);
+    corner.s = geometry::endPoint(m_glass.edges()[joint]);
+    corner.angle = kPi + m_glass.side() * m_glass.turnAfter(joint);
     corner.a = arc ? arc->arc.start : kink;
     corner.c = arc ? geometry::endPoint(arc->arc) : kink;
     corner.widest = (kink - corner.s).norm();
     corner.fillet = corner.widest - m_offset.radius;
-    corner.unground =
-        std::max(geometry::parameterLength(m_glass.edges()[step.edge]) - step.ground.to, next.ground.from);
+    const double before = lengthBetween(step.edge, step.ground.to, joint);
+    const double after = lengthBetween(m_glass.next(joint), 0, next.edge) -
+                         (geometry::parameterLength(m_glass.edges()[next.edge]) - next.ground.from);
+    corner.unground = std::max(before, after);
     return corner;
   }
 

@@ -21,11 +21,17 @@ struct Step {
   int stopCorner = kNoCorner; ///< the concave corner to which that kink belongs
 };
 
+/// The edges that the wheel touches before and after the fillet that it leaves at a single concave corner.
+struct Fillet {
+  EdgeId before = 0;
+  EdgeId after = 0;
+};
+
 /// A closed way of the wheel with every corner decided, not started anywhere yet.
 struct WheelLoop {
   std::vector<Step> steps;
-  std::vector<Corner> corners;  ///< not numbered yet
-  std::vector<EdgeId> cornerEdges; ///< the edge before each corner
+  std::vector<Corner> corners; ///< not numbered yet
+  std::vector<Fillet> fillets;
   base::Problems problems;
 };
 

@@ -46,7 +46,7 @@ Job plannedWith(double radius, const pattern::Pattern& pattern) {
   recipe::Recipe recipe;
   recipe.wheelRadius = radius > 0 ? radius : 0.5;
   if (recipe.wheelRadius <= 10) {
-    recipe.lead = 1.2;
+    recipe.lead = 1.5;
     recipe.overlap = 1;
     recipe.depth = 0.05;
   }
