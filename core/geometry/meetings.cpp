@@ -54,8 +54,7 @@ double Track::lambda(double s) const {
 // With v from the centre: |v + (s t + κs²/2 n)/(1 + κ²s²/4)|² = r², multiplied by the denominator.
 Track::Meetings Track::meetCircle(const Point& center, double radius) const {
   const Vector v = m_middle - center;
-  const double away = v.norm();
-  const double c = (away - radius) * (away + radius);
+  const double c = v.squaredNorm() - radius * radius;
   return solve(1 + m_curvature * (v.dot(leftOf(m_tangent)) + c * m_curvature / 4), v.dot(m_tangent), c);
 }
 

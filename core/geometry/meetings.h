@@ -19,6 +19,15 @@ public:
     return m_length;
   }
 
+  [[nodiscard]] const Point& middle() const {
+    return m_middle;
+  }
+
+  /// Unit direction of travel in the middle.
+  [[nodiscard]] const Vector& tangent() const {
+    return m_tangent;
+  }
+
   [[nodiscard]] double curvature() const {
     return m_curvature;
   }

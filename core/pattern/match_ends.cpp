@@ -321,8 +321,9 @@ private:
   void tellFree(const std::vector<EndId>& free) {
     std::vector<bool> told = m_branching;
     const auto tell = [&](EndId a, EndId b) {
-      if (!m_branching[a] || !m_branching[b]) {
-        const double gap = (m_ends[a] - m_ends[b]).norm();
+      const double gap = (m_ends[a] - m_ends[b]).norm();
+      const bool atABranch = gap <= m_gap; // or they would have been joined; that has been told
+      if ((!m_branching[a] || !m_branching[b]) && !atABranch) {
         m_result.problems.push_back(
             Problem(Code::OpenChain, {{"gap_mm", gap}, {"tolerance_mm", m_gap}}).at(m_ends[m_branching[a] ? b : a]));
       }

@@ -3,7 +3,9 @@
 #include "core/base/numbers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace arris::toolpath {
 namespace {
@@ -19,15 +21,15 @@ using geometry::Vector;
 /// Nearer than the radius by less than this is rounding, mm.
 constexpr double kRounding = 1e-7;
 
-/// Places on a path between its ends, ascending.
+/// Places on a path inside a stretch of it, ascending.
 class Marks {
 public:
-  explicit Marks(double end) : m_end(end) {}
+  explicit Marks(const Stretch& stretch) : m_stretch(stretch) {}
 
   void add(const Track::Meetings& meetings) {
     for (std::size_t i = 0; i < meetings.count; ++i) {
       const double s = meetings.s[i];
-      if (s > -m_end && s < m_end) {
+      if (s > m_stretch.from && s < m_stretch.to) {
         m_marks[m_count++] = s;
       }
     }
@@ -39,10 +41,10 @@ public:
         std::swap(m_marks[k], m_marks[k - 1]);
       }
     }
-    m_marks[m_count] = m_end;
+    m_marks[m_count] = m_stretch.to;
   }
 
-  /// The ends of the stretches between the marks, the end of the path last.
+  /// The ends of the parts between the marks, the end of the stretch last.
   [[nodiscard]] const double* begin() const {
     return m_marks.data();
   }
@@ -52,9 +54,15 @@ public:
   }
 
 private:
-  double m_end;
+  Stretch m_stretch;
   std::array<double, 9> m_marks; ///< four curves with two meetings each, and the end
   std::size_t m_count = 0;
+};
+
+/// A disc that holds a stretch of path.
+struct Disc {
+  Point middle;
+  double radius = 0;
 };
 
 double squaredDistance(const Line& line, const Point& point) {
@@ -70,22 +78,80 @@ double squaredDistance(const Curve& edge, const Point& point) {
   return line ? squaredDistance(*line, point) : squared(geometry::nearest(edge, point).distance);
 }
 
-// The border of what is nearer than the radius: two lines or circles beside the edge, two circles about its ends.
-Marks marksOf(const Track& path, const Curve& edge, double radius) {
-  Marks marks(path.end());
-  if (const auto* line = std::get_if<Line>(&edge)) {
-    const Vector normal = geometry::leftOf((line->to - line->from).normalized());
-    marks.add(path.meetLine(line->from + radius * normal, normal));
-    marks.add(path.meetLine(line->from - radius * normal, normal));
-  } else {
-    const auto& arc = std::get<Arc>(edge);
-    marks.add(path.meetCircle(arc.center(), arc.radius() + radius));
-    marks.add(path.meetCircle(arc.center(), std::abs(arc.radius() - radius)));
+/// Where x + s·slope lies between two limits; empty (from ≥ to) where it never does.
+Stretch between(double x, double slope, double least, double most) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  if (slope == 0) {
+    return x > least && x < most ? Stretch{-kInfinite, kInfinite} : Stretch{0, 0};
   }
-  marks.add(path.meetCircle(geometry::startPoint(edge), radius));
-  marks.add(path.meetCircle(geometry::endPoint(edge), radius));
-  marks.sort();
-  return marks;
+  const double a = (least - x) / slope;
+  const double b = (most - x) / slope;
+  return {std::min(a, b), std::max(a, b)};
+}
+
+/// Where a straight track is inside a circle, seen from the track's middle.
+Stretch insideCircle(const Vector& middle, const Vector& tangent, double radius) {
+  const double along = middle.dot(tangent);
+  const double discriminant = squared(along) - middle.squaredNorm() + squared(radius);
+  if (discriminant <= 0) {
+    return {0, 0};
+  }
+  const double half = std::sqrt(discriminant);
+  return {-along - half, -along + half};
+}
+
+// What is nearer to a line than the radius is convex, so a straight track is inside it once or never.
+Stretch nearLine(const Track& path, const Line& line, double radius) {
+  const Vector way = line.to - line.from;
+  const double length = way.norm();
+  const Vector direction = way / length;
+  const Vector normal = geometry::leftOf(direction);
+  const Vector middle = path.middle() - line.from;
+  const Stretch beside = between(middle.dot(normal), path.tangent().dot(normal), -radius, radius);
+  const Stretch along = between(middle.dot(direction), path.tangent().dot(direction), 0, length);
+  Stretch result{0, 0};
+  for (const Stretch& part : {Stretch{std::max(beside.from, along.from), std::min(beside.to, along.to)},
+                              insideCircle(middle, path.tangent(), radius),
+                              insideCircle(middle - way, path.tangent(), radius)}) {
+    if (part.from < part.to) {
+      const bool isFirst = result.from == result.to;
+      result = isFirst ? part : Stretch{std::min(result.from, part.from), std::max(result.to, part.to)};
+    }
+  }
+  return {std::max(result.from, -path.end()), std::min(result.to, path.end())};
+}
+
+// The border of what is nearer than the radius to a line is two lines beside it and two circles about its ends; those of
+// them that the path may meet inside the disc.
+void markLine(Marks& marks, const Track& path, const Disc& disc, const Line& line, double radius) {
+  const Vector way = line.to - line.from;
+  const double length = way.norm();
+  const Vector direction = way / length;
+  const Vector normal = geometry::leftOf(direction);
+  const double along = (disc.middle - line.from).dot(direction);
+  const double beside = (disc.middle - line.from).dot(normal);
+  if (along + disc.radius > 0 && along - disc.radius < length) {
+    if (beside + disc.radius > 0) {
+      marks.add(path.meetLine(line.from + radius * normal, normal));
+    }
+    if (beside - disc.radius < 0) {
+      marks.add(path.meetLine(line.from - radius * normal, normal));
+    }
+  }
+  if (along - disc.radius < 0) {
+    marks.add(path.meetCircle(line.from, radius));
+  }
+  if (along + disc.radius > length) {
+    marks.add(path.meetCircle(line.to, radius));
+  }
+}
+
+// The same with two circles beside an arc.
+void markArc(Marks& marks, const Track& path, const Arc& arc, double radius) {
+  marks.add(path.meetCircle(arc.center(), arc.radius() + radius));
+  marks.add(path.meetCircle(arc.center(), std::abs(arc.radius() - radius)));
+  marks.add(path.meetCircle(arc.start, radius));
+  marks.add(path.meetCircle(geometry::endPoint(arc), radius));
 }
 
 } // namespace
@@ -136,9 +202,25 @@ void FreeStretches::block(const Curve& edge) {
     m_free.clear();
     return;
   }
-  double from = -m_path.end();
+  const auto* line = std::get_if<Line>(&edge);
+  if (line && m_path.curvature() == 0) {
+    const auto [from, to] = nearLine(m_path, *line, m_radius);
+    if (from < to && squaredDistance(*line, m_path.at((from + to) / 2)) < squared(least)) {
+      take(from, to);
+      measureHull();
+    }
+    return;
+  }
+  double from = m_free.front().from;
+  Marks marks({from, m_free.back().to});
+  if (line) {
+    markLine(marks, m_path, {m_middle, m_reach}, *line, m_radius);
+  } else {
+    markArc(marks, m_path, std::get<Arc>(edge), m_radius);
+  }
+  marks.sort();
   bool taken = false;
-  for (const double to : marksOf(m_path, edge, m_radius)) {
+  for (const double to : marks) {
     if (to > from && squaredDistance(edge, m_path.at((from + to) / 2)) < squared(least)) {
       take(from, to);
       taken = true;
