@@ -189,14 +189,13 @@ private:
   }
 
   void tell(const std::vector<UntouchedPart>& parts, double length, std::optional<double> left, const Point& place) {
-    constexpr std::size_t kMostSearched = 40; // more of one kind are not listed anyway
     const Code code = m_recipe.acceptUnreached ? (left ? Code::UnreachedAccepted : Code::ContourLeftOut)
                                                : (left ? Code::Unreached : Code::ContourNotEntered);
     Problem problem(code, {{"wheel_mm", m_recipe.wheelRadius}, {"length_mm", length}});
     if (left) {
       problem.values.push_back({"left_mm", *left});
     }
-    if (m_result.problems.size() < kMostSearched) {
+    if (m_told[code]++ < base::kMostOfOneCode) { // more are not listed anyway
       problem.largestWheel = largestWheel(m_glass, parts, m_recipe.wheelRadius);
       problem.values.push_back({"largest_mm", *problem.largestWheel});
     }
@@ -207,6 +206,7 @@ private:
   const recipe::Recipe& m_recipe;
   std::vector<Touched> m_touched;
   std::map<EdgeId, EdgeId> m_fillets; ///< edges touched before and after a fillet
+  std::map<Code, std::int64_t> m_told;
   Unreached m_result;
 };
 
