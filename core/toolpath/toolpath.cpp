@@ -40,10 +40,16 @@ Problems checkSpikes(const Glass& glass) {
   return problems;
 }
 
-/// Puts the number of the corner first, so that the sentence can name it.
+/// Names the corner in the sentence too.
+void setCorner(Problem& problem, int id) {
+  problem.corner = id;
+  problem.values.push_back({"corner", std::int64_t{id}});
+}
+
 Problem ofCorner(Code code, const Corner& corner, std::vector<base::Value> values) {
-  values.insert(values.begin(), {"corner", std::int64_t{corner.id}});
-  return Problem(code, std::move(values)).at(corner.s).ofContour(corner.contour).ofCorner(corner.id);
+  Problem problem = Problem(code, std::move(values)).at(corner.s).ofContour(corner.contour);
+  setCorner(problem, corner.id);
+  return problem;
 }
 
 Problems warnings(const Corner& corner, const recipe::Recipe& recipe) {
@@ -176,8 +182,7 @@ private:
     }
     for (Problem problem : traced.problems) {
       if (problem.corner) {
-        shift(*problem.corner);
-        problem.values.insert(problem.values.begin(), {"corner", std::int64_t{*problem.corner}});
+        setCorner(problem, *problem.corner + before);
       }
       toolpath.problems.push_back(std::move(problem));
     }
