@@ -3,6 +3,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace arris::ui {
 namespace {
 
@@ -19,15 +21,28 @@ geometry::Box paneBox(const std::vector<pattern::Contour>& contours) {
   return box;
 }
 
+qsizetype countOf(const std::vector<pattern::Contour>& contours, pattern::ContourKind kind) {
+  return std::count_if(contours.begin(), contours.end(),
+                       [kind](const pattern::Contour& contour) { return contour.kind == kind; });
+}
+
 class TitleLines {
   Q_DECLARE_TR_FUNCTIONS(PreviewPage)
 
 public:
+  static QString contours(const std::vector<pattern::Contour>& contours);
   static QString pane(const job::Job& job);
   static QString values(const job::Job& job);
   static QString times(const job::Job& job);
   static QString imported(const pattern::Pattern& pattern);
 };
+
+QString TitleLines::contours(const std::vector<pattern::Contour>& contours) {
+  return tr("Contours: %1 (outlines %2, cut-outs %3)")
+      .arg(contours.size())
+      .arg(countOf(contours, pattern::ContourKind::Outline))
+      .arg(countOf(contours, pattern::ContourKind::CutOut));
+}
 
 QString TitleLines::pane(const job::Job& job) {
   const QLocale c = QLocale::c();
@@ -37,6 +52,9 @@ QString TitleLines::pane(const job::Job& job) {
   }
   QString line = tr("Pane %1, lower left at X %2, Y %3")
                      .arg(sizeText(box, c), numberText(box.min().x(), 1, c), numberText(box.min().y(), 1, c));
+  if (job.contours.size() > 1) {
+    line += QStringLiteral(" · ") + contours(job.contours);
+  }
   line += QStringLiteral(" · ") + tr("glass %1 mm").arg(numberText(job.recipe.thickness, 2, c));
   line += QStringLiteral(" · ") + tr("corners: %1").arg(job.toolpath.corners.size());
   return line;
@@ -67,7 +85,7 @@ QString TitleLines::times(const job::Job& job) {
 
 QString TitleLines::imported(const pattern::Pattern& pattern) {
   const geometry::Box box = paneBox(pattern.contours);
-  QString line = tr("Contours: %1").arg(pattern.contours.size());
+  QString line = contours(pattern.contours);
   if (!box.isEmpty()) {
     line += QStringLiteral(" · ") + sizeText(box, QLocale::c());
   }
