@@ -9,9 +9,6 @@
 namespace arris::base {
 namespace {
 
-/// The drawing is read again after the first are mended.
-constexpr std::int64_t kMostOfOneCode = 20;
-
 std::string asText(const Value& value) {
   return std::visit([](const auto& v) { return fmt::format("{}", v); }, value.value);
 }

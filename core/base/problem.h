@@ -173,7 +173,10 @@ struct CodeInfo {
 /// which coordinates the place has.
 [[nodiscard]] std::string describeWithPlace(const Problem& problem, std::string_view frame = "in the drawing");
 
-/// Of each code only the first 20 stay; a note with the count stands for the others.
+/// As many problems of one code are told: the drawing is read again after the first are mended.
+inline constexpr std::int64_t kMostOfOneCode = 20;
+
+/// Of each code only the first `kMostOfOneCode` stay; a note with the count stands for the others.
 void keepFirstOfEachCode(Problems& problems);
 
 [[nodiscard]] inline Severity severityOf(const Problem& problem) {

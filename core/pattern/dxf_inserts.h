@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/caps.h"
 #include "core/geometry/curve.h"
 #include "core/pattern/dxf_gate.h"
 
@@ -11,7 +12,7 @@ namespace arris::pattern {
 inline constexpr int kMostNesting = 32;
 
 /// All INSERTs of a drawing together may draw this much: entities, and the vertices and points of what has such.
-inline constexpr std::int64_t kMostInserted = 1'000'000;
+inline constexpr std::int64_t kMostInserted = 1'000'000 / base::kCapDivisor;
 
 /// What an INSERT says. Lengths in drawing units.
 struct Insert {

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "core/base/caps.h"
 #include "core/pattern/dxf_selection.h"
 #include "core/pattern/pieces.h"
 
 namespace arris::pattern {
 
 /// All splines, ellipses and unevenly scaled arcs of a drawing together may take this many steps of fitting.
-inline constexpr std::int64_t kMostFittingSteps = 2'000'000;
+inline constexpr std::int64_t kMostFittingSteps = 2'000'000 / base::kCapDivisor;
 
 /// Lines and arcs of entities, and what is wrong with entities that are no such.
 struct ReadEntities {

@@ -71,8 +71,7 @@ private:
       return;
     }
     const JointKind joint = m_glass.jointAfter(edge);
-    const bool joins =
-        joint == JointKind::Convex || (joint == JointKind::Tangential && hasFlank(m_glass.next(edge)));
+    const bool joins = joint == JointKind::Convex || (joint == JointKind::Tangential && hasFlank(m_glass.next(edge)));
     add(geometry::offset(m_glass.edges()[edge], m_glass.side() * m_radius), edge, false, joins);
   }
 
@@ -221,6 +220,7 @@ private:
       Point place;
       std::uint32_t span = 0;
     };
+
     std::vector<Start> starts;
     for (std::uint32_t i = 0; i < m_spans.size(); ++i) {
       if (!m_hasPrevious[i]) {

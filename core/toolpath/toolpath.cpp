@@ -49,8 +49,8 @@ Problem ofCorner(Code code, const Corner& corner, std::vector<base::Value> value
 Problems warnings(const Corner& corner, const recipe::Recipe& recipe) {
   Problems problems;
   if (corner.kind == CornerKind::Concave && corner.fillet > base::kContourAccuracy) {
-    problems.push_back(ofCorner(Code::ConcaveFillet, corner,
-                                {{"fillet_mm", corner.fillet}, {"unground_mm", corner.unground}}));
+    problems.push_back(
+        ofCorner(Code::ConcaveFillet, corner, {{"fillet_mm", corner.fillet}, {"unground_mm", corner.unground}}));
   }
   if (corner.treatment != Treatment::Transition) {
     return problems;
@@ -86,8 +86,7 @@ public:
       : m_glass(glass), m_recipe(recipe), m_leads(leads) {}
 
   void addLoops(std::vector<WheelLoop> loops) {
-    const std::size_t withStart =
-        m_recipe.start ? loopOfStart(m_glass, loops, *m_recipe.start) : loops.size();
+    const std::size_t withStart = m_recipe.start ? loopOfStart(m_glass, loops, *m_recipe.start) : loops.size();
     for (std::size_t i = 0; i < loops.size(); ++i) {
       addLoop(std::move(loops[i]), i == withStart);
     }
@@ -132,8 +131,10 @@ private:
   // Where the leads have no room at the best start they may have it elsewhere.
   [[nodiscard]] Traced tracedFromBestStart(const WheelLoop& loop) const {
     constexpr std::size_t kMostTried = 100;
+    constexpr std::size_t kMostSteps = 1'000'000; // traced in all
     const std::vector<StartPoint> starts = startsOn(loop);
-    const std::size_t most = m_leads == Leads::With ? std::min(kMostTried, starts.size()) : 1;
+    const std::size_t most =
+        m_leads == Leads::With ? std::min({kMostTried, starts.size(), 1 + kMostSteps / loop.steps.size()}) : 1;
     Traced first = tracedFrom(loop, starts.front());
     for (std::size_t i = 1; i < most && base::hasErrors(first.problems); ++i) {
       Traced other = tracedFrom(loop, starts[i]);
@@ -159,8 +160,8 @@ private:
   }
 
   static Problem leftOutBecauseOf(const Problems& problems) {
-    Problem problem = *std::find_if(problems.begin(), problems.end(),
-                                    [](const Problem& p) { return p.code == Code::NoLead; });
+    Problem problem =
+        *std::find_if(problems.begin(), problems.end(), [](const Problem& p) { return p.code == Code::NoLead; });
     problem.code = Code::NoLeadAccepted;
     return problem;
   }

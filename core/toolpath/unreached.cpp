@@ -51,7 +51,8 @@ std::vector<Touched> touchedParts(const Glass& glass, const std::vector<WheelLoo
   addTouched(touched, glass, loops, false);
   addTouched(touched, glass, leftOut, true);
   const auto place = [](const Touched& t) { return std::tuple(t.edge, t.ground.from); };
-  std::stable_sort(touched.begin(), touched.end(), [&](const Touched& a, const Touched& b) { return place(a) < place(b); });
+  std::stable_sort(touched.begin(), touched.end(),
+                   [&](const Touched& a, const Touched& b) { return place(a) < place(b); });
   return touched;
 }
 
@@ -132,8 +133,8 @@ public:
   Unreached find() {
     auto from = m_touched.begin();
     for (const Ring& ring : m_glass.rings()) {
-      const auto to = std::find_if(from, m_touched.end(),
-                                   [&](const Touched& t) { return t.edge >= ring.first + ring.count; });
+      const auto to =
+          std::find_if(from, m_touched.end(), [&](const Touched& t) { return t.edge >= ring.first + ring.count; });
       m_result.unground.push_back(from == to ? wholeRing(ring) : alongRing(from, to));
       from = to;
     }
@@ -188,25 +189,24 @@ private:
   }
 
   void tell(const std::vector<UntouchedPart>& parts, double length, std::optional<double> left, const Point& place) {
-    constexpr std::size_t kMostSearched = 40; // more of one kind are not listed anyway
     const Code code = m_recipe.acceptUnreached ? (left ? Code::UnreachedAccepted : Code::ContourLeftOut)
                                                : (left ? Code::Unreached : Code::ContourNotEntered);
     Problem problem(code, {{"wheel_mm", m_recipe.wheelRadius}, {"length_mm", length}});
     if (left) {
       problem.values.push_back({"left_mm", *left});
     }
-    if (m_result.problems.size() < kMostSearched) {
+    if (m_told[code]++ < base::kMostOfOneCode) { // more are not listed anyway
       problem.largestWheel = largestWheel(m_glass, parts, m_recipe.wheelRadius);
       problem.values.push_back({"largest_mm", *problem.largestWheel});
     }
-    m_result.problems.push_back(
-        std::move(problem).at(place).ofContour(m_glass.ringOf(parts.front().edge).contour));
+    m_result.problems.push_back(std::move(problem).at(place).ofContour(m_glass.ringOf(parts.front().edge).contour));
   }
 
   const Glass& m_glass;
   const recipe::Recipe& m_recipe;
   std::vector<Touched> m_touched;
   std::map<EdgeId, EdgeId> m_fillets; ///< edges touched before and after a fillet
+  std::map<Code, std::int64_t> m_told;
   Unreached m_result;
 };
 

@@ -1,0 +1,16 @@
+// From the reader to the planned wheel path, whatever the bytes.
+
+#include "tests/fuzz/promised.h"
+#include "tests/support/promises.h"
+
+#include <cstddef>
+#include <cstdint>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const arris::recipe::Recipe recipe = arris::test::recipeFor(text);
+  const arris::pattern::Pattern pattern = arris::pattern::readDxf(text, arris::pattern::importOptions(recipe));
+  arris::test::endWhereBroken(
+      arris::test::brokenPromise(arris::job::planJob(pattern, recipe, arris::test::largeMachine())));
+  return 0;
+}
