@@ -587,12 +587,12 @@
         <translation>Sie enthält NUL-Bytes</translation>
     </message>
     <message>
-        <source>it is a DWG drawing; save it as ASCII DXF</source>
-        <translation>Es ist eine DWG-Zeichnung; bitte als ASCII-DXF speichern</translation>
+        <source>it is a DWG drawing; save it as DXF</source>
+        <translation>Es ist eine DWG-Zeichnung; bitte als DXF speichern</translation>
     </message>
     <message>
         <source>it is UTF-16 text; save it as ASCII DXF</source>
-        <translation>Es ist UTF-16-Text; bitte als ASCII-DXF speichern</translation>
+        <translation>Es ist UTF-16-Text; bitte als DXF speichern</translation>
     </message>
     <message>
         <source>it begins with {} and not with a group code</source>

@@ -587,8 +587,8 @@
         <translation>含有 NUL 字节</translation>
     </message>
     <message>
-        <source>it is a DWG drawing; save it as ASCII DXF</source>
-        <translation>这是 DWG 图纸，请另存为 ASCII DXF</translation>
+        <source>it is a DWG drawing; save it as DXF</source>
+        <translation>这是 DWG 图纸，请另存为 DXF</translation>
     </message>
     <message>
         <source>it is UTF-16 text; save it as ASCII DXF</source>

@@ -139,9 +139,9 @@ TEST(Samples, TheSplashbackIsGroundCutOutsFirstWithAStopInItsConcaveCorner) {
   EXPECT_THAT(outcome.err, AllOf(StartsWith("warning: "), HasSubstr("[concave-fillet]")));
   EXPECT_THAT(outcome.out, ContainsRegex("cut-out.*\n.*cut-out.*\n.*outline"));
   EXPECT_THAT(outcome.out, ContainsRegex("270\\.00°  stop"));
-  EXPECT_THAT(outcome.out, HasSubstr("Not ground: 30.000 of 3600.000 mm of contour 1 (outline)"));
+  EXPECT_THAT(outcome.out, HasSubstr("Not ground: 30.000 of 3600.000 mm of contour 3 (outline)"));
   const json report = json::parse(contentOf(file));
-  EXPECT_EQ(report["pattern"]["contours"][1]["parent"], 1);
+  EXPECT_EQ(report["pattern"]["contours"][0]["parent"], 3); // numbered as they are machined
 }
 
 TEST(Samples, TheBalustradeHasThreeSharpCornersOneOfSixtyDegrees) {

@@ -30,6 +30,7 @@ constexpr double kLegendColumn = 440;
 constexpr double kLocatorHeight = 175;
 constexpr double kBlockPadding = 22;
 constexpr double kLeastTickSpacing = 130;
+constexpr double kScaleRoom = 800; // of the title: scale and locator stand there
 constexpr double kRowLeft = 80;
 constexpr double kMostRowLines = 10;
 
@@ -221,7 +222,9 @@ void PreviewPage::paintTitle() {
   const QRectF inner = m_layout.block.adjusted(kBlockPadding, kBlockPadding, -kBlockPadding, -kBlockPadding);
   const QString scale = tr("Scale 1 : %1").arg(numberText(m_layout.scale, 4, m_style.locale));
   double top = inner.top();
-  text(QRectF(inner.left(), top, 0, kTitleRowHeight), Qt::AlignLeft | Qt::AlignTop, m_title.file, kTitleHeight, true);
+  const QString file = QFontMetricsF(m_style.font(kTitleHeight, true))
+                           .elidedText(m_title.file, Qt::ElideMiddle, inner.width() - kScaleRoom);
+  text(QRectF(inner.left(), top, 0, kTitleRowHeight), Qt::AlignLeft | Qt::AlignTop, file, kTitleHeight, true);
   top += kTitleRowHeight;
   for (const QString& line : m_title.lines) {
     text(QRectF(inner.left(), top, 0, kLegendRowHeight), Qt::AlignLeft | Qt::AlignVCenter, line);

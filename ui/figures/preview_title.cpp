@@ -32,6 +32,7 @@ class TitleLines {
 public:
   static QString contours(const std::vector<pattern::Contour>& contours);
   static QString pane(const job::Job& job);
+  static QString parts(const job::Job& job);
   static QString values(const job::Job& job);
   static QString times(const job::Job& job);
   static QString imported(const pattern::Pattern& pattern);
@@ -52,12 +53,12 @@ QString TitleLines::pane(const job::Job& job) {
   }
   QString line = tr("Pane %1, lower left at X %2, Y %3")
                      .arg(sizeText(box, c), numberText(box.min().x(), 1, c), numberText(box.min().y(), 1, c));
-  if (job.contours.size() > 1) {
-    line += QStringLiteral(" · ") + contours(job.contours);
-  }
   line += QStringLiteral(" · ") + tr("glass %1 mm").arg(numberText(job.recipe.thickness, 2, c));
-  line += QStringLiteral(" · ") + tr("corners: %1").arg(job.toolpath.corners.size());
   return line;
+}
+
+QString TitleLines::parts(const job::Job& job) {
+  return contours(job.contours) + QStringLiteral(" · ") + tr("corners: %1").arg(job.toolpath.corners.size());
 }
 
 QString TitleLines::values(const job::Job& job) {
@@ -98,7 +99,7 @@ QString TitleLines::imported(const pattern::Pattern& pattern) {
 } // namespace
 
 PreviewTitle previewTitle(const job::Job& job, const QString& file) {
-  return {file, {TitleLines::pane(job), TitleLines::values(job), TitleLines::times(job)}};
+  return {file, {TitleLines::pane(job), TitleLines::parts(job), TitleLines::values(job), TitleLines::times(job)}};
 }
 
 PreviewTitle previewTitle(const pattern::Pattern& pattern, const QString& file) {

@@ -170,7 +170,7 @@ const std::vector<const char*>& problemWords() {
       QT_TRANSLATE_NOOP("ProblemWord", "Is a directory"),
       QT_TRANSLATE_NOOP("ProblemWord", "Input/output error"),
       QT_TRANSLATE_NOOP("ProblemWord", "it holds NUL bytes"),
-      QT_TRANSLATE_NOOP("ProblemWord", "it is a DWG drawing; save it as ASCII DXF"),
+      QT_TRANSLATE_NOOP("ProblemWord", "it is a DWG drawing; save it as DXF"),
       QT_TRANSLATE_NOOP("ProblemWord", "it is UTF-16 text; save it as ASCII DXF"),
       QT_TRANSLATE_NOOP("ProblemWord", "it begins with {} and not with a group code"),
       QT_TRANSLATE_NOOP("ProblemWord", "an empty line"),
