@@ -214,6 +214,11 @@ Toolpath makeToolpath(const std::vector<pattern::Contour>& placed, const recipe:
     return result;
   }
   const Offset offset = offsetOf(glass, recipe.wheelRadius);
+  if (!offset.complete) { // what of it stays unground would be told wrongly
+    Toolpath result;
+    result.problems.push_back(Problem(Code::NumericalFailure, {{"reason", "the wheel path could not be closed"}}));
+    return result;
+  }
   std::vector<WheelLoop> loops;
   for (const Loop& loop : offset.loops) {
     loops.push_back(makeWheelLoop(glass, offset, loop, recipe));
@@ -224,9 +229,7 @@ Toolpath makeToolpath(const std::vector<pattern::Contour>& placed, const recipe:
   Toolpath result = builder.inOrder(placed, park);
   result.unground = std::move(unreached.unground);
   append(result.problems, unreached.problems);
-  if (!offset.complete) {
-    result.problems.push_back(Problem(Code::NumericalFailure, {{"reason", "the wheel path could not be closed"}}));
-  } else if (result.chains.empty() && !base::hasErrors(result.problems)) {
+  if (result.chains.empty() && !base::hasErrors(result.problems)) {
     result.problems.push_back(Problem(Code::NothingToGrind, {{"wheel_mm", recipe.wheelRadius}}));
   }
   return result;
