@@ -59,14 +59,30 @@ Track::Meetings Track::meetCircle(const Point& center, double radius) const {
 }
 
 Track::Meetings Track::meetLine(const Point& through, const Vector& normal) const {
-  const double c = normal.dot(m_middle - through);
-  return solve(m_curvature * (normal.dot(leftOf(m_tangent)) / 2 + m_curvature * c / 4), normal.dot(m_tangent) / 2, c);
+  return meetThrough(through, normal, 0);
+}
+
+// Where normal·w = curvature/2 |w|², with w from the point: a circle through it, or a line. |w|² = |v|² + 2 v·d + s²/D
+// with v from the point to the middle of the track, d from there to the track and D the denominator of its parameter;
+// multiplied by D.
+Track::Meetings Track::meetThrough(const Point& through, const Vector& normal, double curvature) const {
+  const Vector v = m_middle - through;
+  const Vector left = leftOf(m_tangent);
+  const double bend = m_curvature / 2;
+  const double c = curvature / 2 * v.squaredNorm() - normal.dot(v);
+  const double a = curvature / 2 * (2 * bend * v.dot(left) + 1) - bend * normal.dot(left) + bend * bend * c;
+  return solve(a, (curvature * v - normal).dot(m_tangent) / 2, c);
 }
 
 Track::Meetings Track::meetWhole(const Curve& lineOrArc) const {
   const auto* arc = std::get_if<Arc>(&lineOrArc);
-  return arc ? meetCircle(arc->center(), arc->radius())
-             : meetLine(startPoint(lineOrArc), leftOf(startTangent(lineOrArc)));
+  return arc ? meetBeside(*arc, 0) : meetLine(startPoint(lineOrArc), leftOf(startTangent(lineOrArc)));
+}
+
+// Multiplied by 1 − κ·distance, which is 0 in the centre.
+Track::Meetings Track::meetBeside(const Arc& arc, double distance) const {
+  const Vector left = leftOf(arc.tangent);
+  return meetThrough(arc.start + distance * left, (1 - arc.curvature * distance) * left, arc.curvature);
 }
 
 } // namespace arris::geometry

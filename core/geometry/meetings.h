@@ -60,7 +60,13 @@ public:
   /// The same with a whole line or circle that a curve is part of.
   [[nodiscard]] Meetings meetWhole(const Curve& lineOrArc) const;
 
+  /// The same with the whole circle of an arc moved to its left by `distance`, also past its centre. Exact for the
+  /// largest radii too, whose centre no number can tell.
+  [[nodiscard]] Meetings meetBeside(const Arc& arc, double distance) const;
+
 private:
+  [[nodiscard]] Meetings meetThrough(const Point& through, const Vector& normal, double curvature) const;
+
   Point m_middle{0, 0};
   Vector m_tangent{1, 0}; ///< unit, at the middle
   double m_curvature = 0;

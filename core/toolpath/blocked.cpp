@@ -148,8 +148,8 @@ void markLine(Marks& marks, const Track& path, const Disc& disc, const Line& lin
 
 // The same with two circles beside an arc.
 void markArc(Marks& marks, const Track& path, const Arc& arc, double radius) {
-  marks.add(path.meetCircle(arc.center(), arc.radius() + radius));
-  marks.add(path.meetCircle(arc.center(), std::abs(arc.radius() - radius)));
+  marks.add(path.meetBeside(arc, radius));
+  marks.add(path.meetBeside(arc, -radius));
   marks.add(path.meetCircle(arc.start, radius));
   marks.add(path.meetCircle(geometry::endPoint(arc), radius));
 }

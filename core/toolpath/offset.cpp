@@ -24,6 +24,9 @@ constexpr double kSliver = 1e-7;
 /// Spans meet where their ends are nearer to each other than this, mm.
 constexpr double kMeet = 1e-6;
 
+/// Where two paths meet almost tangentially, rounding moves their meeting along them by up to this, mm.
+constexpr double kMeetAlong = 1;
+
 /// Where three edges are touched in one point to within rounding, a wheel larger by this is tried instead, mm.
 constexpr double kLarger = 1e-6;
 constexpr int kTries = 4;
@@ -161,10 +164,13 @@ private:
 /// Joins spans to loops.
 class Stitcher {
 public:
-  Stitcher(const std::vector<Piece>& pieces, const std::vector<PieceRing>& rings, const std::vector<Span>& spans)
-      : m_pieces(pieces), m_spans(spans), m_next(spans.size(), kNone), m_hasPrevious(spans.size(), false) {
+  Stitcher(const Glass& glass, double radius, const std::vector<Piece>& pieces, const std::vector<PieceRing>& rings,
+           std::vector<Span> spans)
+      : m_glass(glass), m_radius(radius), m_pieces(pieces), m_spans(std::move(spans)), m_next(m_spans.size(), kNone),
+        m_hasPrevious(m_spans.size(), false) {
     joinNeighbours(rings);
-    joinMeeting();
+    joinMeeting(kMeet, [](std::uint32_t, std::uint32_t) { return true; });
+    joinMeeting(kMeetAlong, [this](std::uint32_t span, std::uint32_t next) { return bringTogether(span, next); });
   }
 
   [[nodiscard]] bool complete() const {
@@ -215,43 +221,89 @@ private:
     }
   }
 
-  void joinMeeting() {
+  [[nodiscard]] const Curve& pathOf(std::uint32_t span) const {
+    return m_pieces[m_spans[span].piece].path;
+  }
+
+  [[nodiscard]] Point startOf(std::uint32_t span) const {
+    return geometry::pointAt(pathOf(span), m_spans[span].from);
+  }
+
+  [[nodiscard]] Point endOf(std::uint32_t span) const {
+    return geometry::pointAt(pathOf(span), m_spans[span].to);
+  }
+
+  // Where rounding moved the meeting of two almost parallel paths, one of them begins or ends where the other one does.
+  bool bringTogether(std::uint32_t span, std::uint32_t next) {
+    const geometry::Nearest onNext = geometry::nearest(pathOf(next), endOf(span));
+    if (onNext.distance <= kMeet && onNext.lambda < m_spans[next].to - kSliver &&
+        isFree(pathOf(next), onNext.lambda, m_spans[next].from)) {
+      m_spans[next].from = onNext.lambda;
+      return true;
+    }
+    const geometry::Nearest onSpan = geometry::nearest(pathOf(span), startOf(next));
+    if (onSpan.distance <= kMeet && onSpan.lambda > m_spans[span].from + kSliver &&
+        isFree(pathOf(span), m_spans[span].to, onSpan.lambda)) {
+      m_spans[span].to = onSpan.lambda;
+      return true;
+    }
+    return false;
+  }
+
+  /// Whether a path keeps its distance to within rounding also from λ = `from` to `to`.
+  [[nodiscard]] bool isFree(const Curve& path, double from, double to) const {
+    constexpr int kPlaces = 8;
+    for (int i = 0; i < kPlaces && from < to; ++i) {
+      const double lambda = from + (to - from) * i / kPlaces;
+      if (m_glass.distance(geometry::pointAt(path, lambda), m_radius) < m_radius - kMeet) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Joins each end that is left to the nearest start within `reach` where `mayJoin`.
+  template <typename MayJoin> void joinMeeting(double reach, MayJoin mayJoin) {
     struct Start {
       Point place;
       std::uint32_t span = 0;
+      double distance = 0;
     };
 
     std::vector<Start> starts;
     for (std::uint32_t i = 0; i < m_spans.size(); ++i) {
       if (!m_hasPrevious[i]) {
-        starts.push_back({geometry::pointAt(m_pieces[m_spans[i].piece].path, m_spans[i].from), i});
+        starts.push_back({startOf(i), i});
       }
     }
-    const auto before = [](const Start& a, const Start& b) { return a.place.x() < b.place.x(); };
-    std::sort(starts.begin(), starts.end(), before);
+    std::sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.place.x() < b.place.x(); });
+    std::vector<Start> near;
     for (std::uint32_t i = 0; i < m_spans.size(); ++i) {
       if (m_next[i] != kNone) {
         continue;
       }
-      const Point end = geometry::pointAt(m_pieces[m_spans[i].piece].path, m_spans[i].to);
-      std::uint32_t best = kNone;
-      double nearest = kMeet;
-      for (auto s = std::lower_bound(starts.begin(), starts.end(), Start{end - Point(kMeet, 0)}, before);
-           s != starts.end() && s->place.x() <= end.x() + kMeet; ++s) {
+      const Point end = endOf(i);
+      near.clear();
+      const auto isBefore = [](const Start& start, double x) { return start.place.x() < x; };
+      for (auto s = std::lower_bound(starts.begin(), starts.end(), end.x() - reach, isBefore);
+           s != starts.end() && s->place.x() <= end.x() + reach; ++s) {
         const double distance = (s->place - end).norm();
-        if (distance <= nearest && !m_hasPrevious[s->span]) {
-          nearest = distance;
-          best = s->span;
+        if (distance <= reach && !m_hasPrevious[s->span]) {
+          near.push_back({s->place, s->span, distance});
         }
       }
-      if (best != kNone) {
-        join(i, best);
+      std::sort(near.begin(), near.end(), [](const Start& a, const Start& b) { return a.distance < b.distance; });
+      const auto best = std::find_if(near.begin(), near.end(), [&](const Start& s) { return mayJoin(i, s.span); });
+      if (best != near.end()) {
+        join(i, best->span);
       }
     }
   }
 
+  const Glass& m_glass;
+  double m_radius;
   const std::vector<Piece>& m_pieces;
-  const std::vector<Span>& m_spans;
+  std::vector<Span> m_spans;
   std::vector<std::uint32_t> m_next; ///< by span
   std::vector<bool> m_hasPrevious;   ///< by span
 };
@@ -281,8 +333,7 @@ Offset tryOffset(const Glass& glass, double radius) {
   Offset result;
   result.radius = radius;
   result.pieces = maker.take();
-  const std::vector<Span> spans = cutAll(glass, result.pieces, radius);
-  Stitcher stitcher(result.pieces, maker.rings(), spans);
+  Stitcher stitcher(glass, radius, result.pieces, maker.rings(), cutAll(glass, result.pieces, radius));
   result.complete = stitcher.complete();
   if (result.complete) {
     result.loops = stitcher.loops();

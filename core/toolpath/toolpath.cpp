@@ -40,10 +40,16 @@ Problems checkSpikes(const Glass& glass) {
   return problems;
 }
 
-/// Puts the number of the corner first, so that the sentence can name it.
+/// Names the corner in the sentence too.
+void setCorner(Problem& problem, int id) {
+  problem.corner = id;
+  problem.values.push_back({"corner", std::int64_t{id}});
+}
+
 Problem ofCorner(Code code, const Corner& corner, std::vector<base::Value> values) {
-  values.insert(values.begin(), {"corner", std::int64_t{corner.id}});
-  return Problem(code, std::move(values)).at(corner.s).ofContour(corner.contour).ofCorner(corner.id);
+  Problem problem = Problem(code, std::move(values)).at(corner.s).ofContour(corner.contour);
+  setCorner(problem, corner.id);
+  return problem;
 }
 
 Problems warnings(const Corner& corner, const recipe::Recipe& recipe) {
@@ -176,8 +182,7 @@ private:
     }
     for (Problem problem : traced.problems) {
       if (problem.corner) {
-        shift(*problem.corner);
-        problem.values.insert(problem.values.begin(), {"corner", std::int64_t{*problem.corner}});
+        setCorner(problem, *problem.corner + before);
       }
       toolpath.problems.push_back(std::move(problem));
     }
@@ -209,6 +214,11 @@ Toolpath makeToolpath(const std::vector<pattern::Contour>& placed, const recipe:
     return result;
   }
   const Offset offset = offsetOf(glass, recipe.wheelRadius);
+  if (!offset.complete) { // what of it stays unground would be told wrongly
+    Toolpath result;
+    result.problems.push_back(Problem(Code::NumericalFailure, {{"reason", "the wheel path could not be closed"}}));
+    return result;
+  }
   std::vector<WheelLoop> loops;
   for (const Loop& loop : offset.loops) {
     loops.push_back(makeWheelLoop(glass, offset, loop, recipe));
@@ -219,9 +229,7 @@ Toolpath makeToolpath(const std::vector<pattern::Contour>& placed, const recipe:
   Toolpath result = builder.inOrder(placed, park);
   result.unground = std::move(unreached.unground);
   append(result.problems, unreached.problems);
-  if (!offset.complete) {
-    result.problems.push_back(Problem(Code::NumericalFailure, {{"reason", "the wheel path could not be closed"}}));
-  } else if (result.chains.empty() && !base::hasErrors(result.problems)) {
+  if (result.chains.empty() && !base::hasErrors(result.problems)) {
     result.problems.push_back(Problem(Code::NothingToGrind, {{"wheel_mm", recipe.wheelRadius}}));
   }
   return result;
