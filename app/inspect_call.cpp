@@ -13,6 +13,8 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 
+#include <cstdio>
+
 namespace arris::app {
 namespace {
 
@@ -41,7 +43,7 @@ ExitStatus inspect(const Arguments& arguments) {
   CLI::App call("What is in a pattern: units, contours, repairs, and problems with their places.", "arris inspect");
   fs::path file;
   Outputs outputs;
-  call.add_option("PATTERN", file, "A drawing (ASCII DXF)")->required()->type_name("");
+  call.add_option("PATTERN", file, "A drawing (DXF, ASCII or binary)")->required()->type_name("");
   addReportAndPreview(call, outputs);
   const RecipeOptions recipeOptions(call, {"units", "layer", "gap", "smooth"});
   if (const auto status = read(call, arguments)) {
@@ -58,11 +60,13 @@ ExitStatus inspect(const Arguments& arguments) {
   if (!pattern) {
     return pattern.error();
   }
+  // The problems come last: on a terminal they are what is still to be seen after a long list.
+  fmt::print("{}", summaryOf(*pattern));
+  std::fflush(stdout);
   tell(pattern->problems);
   if (const ExitStatus status = writeOutputs(outputs, *pattern, file.filename().string()); status != ExitStatus::Done) {
     return status;
   }
-  fmt::print("{}", summaryOf(*pattern));
   return base::hasErrors(pattern->problems) ? ExitStatus::CannotBeGround : ExitStatus::Done;
 }
 

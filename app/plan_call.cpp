@@ -51,7 +51,7 @@ struct Task {
 };
 
 void addOptions(CLI::App& call, Request& request) {
-  call.add_option("PATTERN", request.pattern, "A drawing (ASCII DXF)")->required()->type_name("");
+  call.add_option("PATTERN", request.pattern, "A drawing (DXF, ASCII or binary)")->required()->type_name("");
   call.add_option("--recipe", request.recipe, "Values of the recipe; options win over it")->type_name("FILE.json");
   call.add_option("--machine", request.machine, "What the machine is and can do")->type_name("FILE.json");
   addReportAndPreview(call, request.outputs);

@@ -11,29 +11,10 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
-#include <limits>
-
 namespace arris::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-ui::ProfileColumns columnsOf(const std::vector<files::ProfileRow>& rows) {
-  ui::ProfileColumns columns;
-  for (const files::ProfileRow& row : rows) {
-    columns.time.push_back(row.time);
-    columns.vx.push_back(row.velocity.x());
-    columns.vy.push_back(row.velocity.y());
-    columns.ax.push_back(row.acceleration.x());
-    columns.ay.push_back(row.acceleration.y());
-    columns.speed.push_back(row.speed);
-    columns.distance.push_back(row.corner > 0 ? row.distance : std::numeric_limits<double>::quiet_NaN());
-    columns.contour.push_back(row.contour);
-    columns.corner.push_back(row.corner);
-    columns.zone.push_back(ui::zoneOf(row.phase));
-  }
-  return columns;
-}
 
 QString nameOf(const fs::path& file) {
   return QString::fromStdString(file.filename().string());
@@ -45,7 +26,7 @@ OrStatus<ui::ProfileCurves> loadCurves(const fs::path& file) {
     if (!rows) {
       return tl::unexpected(tellAndJudge({rows.error()}));
     }
-    return ui::curvesOf(columnsOf(*rows), nameOf(file));
+    return ui::curvesOf(ui::columnsOf(*rows), nameOf(file));
   });
 }
 

@@ -4,8 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
+#include <string>
+#include <vector>
 
 namespace arris::app {
 namespace {
@@ -24,6 +28,14 @@ std::string duration(double seconds) {
   }
   const double minutes = std::floor(seconds / kMinute);
   return fmt::format("{:.3f} s ({:.0f} min {:.1f} s)", seconds, minutes, seconds - minutes * kMinute);
+}
+
+double lengthOf(const toolpath::Chain& chain) {
+  double length = 0;
+  for (const toolpath::PathSegment& segment : chain.segments) {
+    length += geometry::arcLength(segment.shape);
+  }
+  return length;
 }
 
 std::string_view treatment(const Corner& corner) {
@@ -55,7 +67,7 @@ std::string_view limit(toolpath::LimitedBy limitedBy) {
 }
 
 void addCorner(Text& text, const Corner& corner, const job::CornerResult& result) {
-  add(text, "{:6}  {:7.2f}°  {:<10}", corner.id, base::degrees(corner.angle), treatment(corner));
+  add(text, "{:6}  {:7}  {:7.2f}°  {:<10}", corner.id, corner.contour, base::degrees(corner.angle), treatment(corner));
   if (corner.treatment == toolpath::Treatment::Transition) {
     add(text, "  {:7.3f}  {:<12}  {:7.3f}  {:9.3f}  {}", corner.transitionSpeed, limit(corner.limitedBy),
         result.plannedTime, corner.widest, corner.relief ? "yes" : "no");
@@ -69,7 +81,7 @@ void addCorners(Text& text, const job::Job& job) {
   if (job.toolpath.corners.empty() || job.cornerResults.size() != job.toolpath.corners.size()) {
     return;
   }
-  add(text, "\nCorner     Angle  Treatment     mm/s    limited by        s   widest mm  relief\n");
+  add(text, "\nCorner  Contour     Angle  Treatment     mm/s    limited by        s   widest mm  relief\n");
   for (std::size_t i = 0; i < job.toolpath.corners.size(); ++i) {
     addCorner(text, job.toolpath.corners[i], job.cornerResults[i]);
   }
@@ -89,13 +101,82 @@ std::string_view source(pattern::UnitsFrom from) {
   return "";
 }
 
-void addCounts(Text& text, const pattern::EntityCounts& counts) {
-  const char* separator = "";
+std::string countsOf(const pattern::EntityCounts& counts) {
+  std::string text;
   for (const auto& [kind, count] : counts) {
-    add(text, "{}{} {}", separator, count, kind);
-    separator = ", ";
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, kind);
   }
-  add(text, "\n");
+  return text.empty() ? "none" : text;
+}
+
+std::string_view kindOf(const pattern::Contour& contour) {
+  return contour.kind == pattern::ContourKind::Outline ? "outline" : "cut-out";
+}
+
+void addLayers(Text& text, const std::map<std::string, pattern::EntityCounts>& layers) {
+  std::size_t widest = 0;
+  for (const auto& [layer, counts] : layers) {
+    widest = std::max(widest, layer.size());
+  }
+  for (const auto& [layer, counts] : layers) {
+    add(text, "Layer     \"{}\"{:{}}  {}\n", layer, "", widest - layer.size(), countsOf(counts));
+  }
+}
+
+void addContours(Text& text, const std::vector<pattern::Contour>& contours) {
+  if (contours.empty()) {
+    return;
+  }
+  add(text,
+      "\nContour  Kind     In    Curves    Length mm     Area mm²        X from       X to     Y from       Y to\n");
+  for (const pattern::Contour& contour : contours) {
+    const geometry::Box box = geometry::bounds(contour.curves);
+    add(text, "{:7}  {:<7}  {:<4}  {:6}  {:11.3f}  {:11.0f}    {:10.3f} {:10.3f} {:10.3f} {:10.3f}\n", contour.id,
+        kindOf(contour), contour.parent == 0 ? std::string("-") : std::to_string(contour.parent), contour.curves.size(),
+        geometry::totalLength(contour.curves), std::abs(geometry::signedArea(contour.curves)), box.min().x(),
+        box.max().x(), box.min().y(), box.max().y());
+  }
+}
+
+void addRepairs(Text& text, base::Problems repairs) {
+  if (repairs.empty()) {
+    return;
+  }
+  add(text, "\nRepaired ({})\n", repairs.size());
+  base::keepFirstOfEachCode(repairs);
+  for (const base::Problem& repair : repairs) {
+    add(text, "  {}\n", base::describeWithPlace(repair));
+  }
+}
+
+// In which order the wheel goes round the contours; one that it leaves and comes back to has several ways.
+void addWays(Text& text, const job::Job& job) {
+  if (job.toolpath.chains.size() < 2) {
+    return;
+  }
+  add(text, "\n   Way  Contour  Kind       Length mm  Starts at X          Y\n");
+  for (std::size_t i = 0; i < job.toolpath.chains.size(); ++i) {
+    const toolpath::Chain& chain = job.toolpath.chains[i];
+    const auto contour = std::find_if(job.contours.begin(), job.contours.end(),
+                                      [&](const pattern::Contour& c) { return c.id == chain.contour; });
+    if (chain.segments.empty() || contour == job.contours.end()) {
+      continue;
+    }
+    const geometry::Point start = geometry::startPoint(chain.segments.front().shape);
+    add(text, "{:6}  {:7}  {:<7}  {:11.3f}   {:10.3f} {:10.3f}\n", i + 1, chain.contour, kindOf(*contour),
+        lengthOf(chain), start.x(), start.y());
+  }
+}
+
+// What stays as it was cut.
+void addUnground(Text& text, const job::Job& job) {
+  constexpr double kWorthTelling = 1e-3; // mm
+  for (std::size_t i = 0; i < std::min(job.contours.size(), job.toolpath.unground.size()); ++i) {
+    if (job.toolpath.unground[i] > kWorthTelling) {
+      add(text, "Not ground: {:.3f} of {:.3f} mm of contour {} ({})\n", job.toolpath.unground[i],
+          geometry::totalLength(job.contours[i].curves), job.contours[i].id, kindOf(job.contours[i]));
+    }
+  }
 }
 
 } // namespace
@@ -104,36 +185,26 @@ std::string summaryOf(const job::Job& job) {
   Text text;
   double pathLength = 0;
   for (const toolpath::Chain& chain : job.toolpath.chains) {
-    for (const toolpath::PathSegment& segment : chain.segments) {
-      pathLength += geometry::arcLength(segment.shape);
-    }
+    pathLength += lengthOf(chain);
   }
   const geometry::Point& place = job.placement.place;
   add(text, "Pane with its lower left corner at X {:.3f} Y {:.3f} mm; wheel path {:.3f} mm\n", place.x(), place.y(),
       pathLength);
+  addWays(text, job);
   addCorners(text, job);
-  add(text, "\nWorking time {}; whole program {}\n", duration(job.working), duration(job.duration));
+  add(text, "\n");
+  addUnground(text, job);
+  add(text, "Working time {}; whole program {}\n", duration(job.working), duration(job.duration));
   return fmt::to_string(text);
 }
 
 std::string summaryOf(const pattern::Pattern& pattern) {
   Text text;
-  add(text, "Unit      {} ({})\nEntities  ", pattern::name(pattern.units), source(pattern.unitsFrom));
-  addCounts(text, pattern.entities);
-  for (const auto& [layer, counts] : pattern.layers) {
-    add(text, "Layer     \"{}\": ", layer);
-    addCounts(text, counts);
-  }
-  for (const pattern::Contour& contour : pattern.contours) {
-    const geometry::Box box = geometry::bounds(contour.curves);
-    add(text, "Contour {} {} of {} curves, {:.3f} mm long, {:.0f} mm², X {:.3f} to {:.3f}, Y {:.3f} to {:.3f} mm\n",
-        contour.id, contour.kind == pattern::ContourKind::Outline ? "outline" : "cut-out", contour.curves.size(),
-        geometry::totalLength(contour.curves), std::abs(geometry::signedArea(contour.curves)), box.min().x(),
-        box.max().x(), box.min().y(), box.max().y());
-  }
-  for (const base::Problem& repair : pattern.repairs) {
-    add(text, "Repaired  {}\n", base::describeWithPlace(repair));
-  }
+  add(text, "Unit      {} ({})\nEntities  {}\n", pattern::name(pattern.units), source(pattern.unitsFrom),
+      countsOf(pattern.entities));
+  addLayers(text, pattern.layers);
+  addContours(text, pattern.contours);
+  addRepairs(text, pattern.repairs);
   return fmt::to_string(text);
 }
 

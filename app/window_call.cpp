@@ -37,7 +37,7 @@ void endOnFatal(QtMsgType type, const QMessageLogContext&, const QString&) {
 ExitStatus openWindow(const Arguments& arguments) {
   CLI::App call("The window.", "arris");
   std::string pattern;
-  call.add_option("PATTERN", pattern, "A drawing (ASCII DXF) to open")->type_name("");
+  call.add_option("PATTERN", pattern, "A drawing (DXF, ASCII or binary) to open")->type_name("");
   if (const auto status = read(call, arguments)) {
     return *status;
   }

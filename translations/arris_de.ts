@@ -59,6 +59,18 @@
         <source>scaled by the corner speed</source>
         <translation>mit der Eckengeschwindigkeit skaliert</translation>
     </message>
+    <message>
+        <source>Other glass is in the way of a transition path: the wheel rolls round the corner.</source>
+        <translation>Anderes Glas ist einem Übergang im Weg: Die Schleifscheibe rollt um die Ecke ab.</translation>
+    </message>
+    <message>
+        <source>Concave, but shallow: an arc takes the place of the path&apos;s kink.</source>
+        <translation>Einspringend, aber flach: Ein Bogen ersetzt den Knick der Bahn.</translation>
+    </message>
+    <message>
+        <source>Concave: the wheel stops where it touches both edges.</source>
+        <translation>Einspringend: Die Schleifscheibe hält an, wo sie beide Kanten berührt.</translation>
+    </message>
 </context>
 <context>
     <name>Legend</name>
@@ -77,10 +89,6 @@
     <message>
         <source>Corner transition</source>
         <translation>Eckenübergang</translation>
-    </message>
-    <message>
-        <source>Roll round a corner</source>
-        <translation>Abrollen um eine Ecke</translation>
     </message>
     <message>
         <source>Lead-in, lead-out</source>
@@ -105,6 +113,26 @@
     <message>
         <source>Slower between these</source>
         <translation>Dazwischen langsamer</translation>
+    </message>
+    <message>
+        <source>Roll or arc at a corner</source>
+        <translation>Abrollen, Bogen an Ecke</translation>
+    </message>
+    <message>
+        <source>Stop in a concave corner</source>
+        <translation>Halt in einspringender Ecke</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Note, repair</source>
+        <translation>Hinweis, Reparatur</translation>
     </message>
 </context>
 <context>
@@ -181,10 +209,6 @@
         <translation>Maßstab 1 : %1</translation>
     </message>
     <message>
-        <source>… and %1 more</source>
-        <translation>… und %1 weitere</translation>
-    </message>
-    <message>
         <source>No contour</source>
         <translation>Keine Kontur</translation>
     </message>
@@ -213,12 +237,20 @@
         <translation>Schleifen %1 · ganzes Programm %2 · Schleifbahn %3 mm</translation>
     </message>
     <message>
-        <source>Contours: %1</source>
-        <translation>Konturen: %1</translation>
-    </message>
-    <message>
         <source>pieces in no contour: %1</source>
         <translation>Stücke in keiner Kontur: %1</translation>
+    </message>
+    <message>
+        <source>… and %1 more kinds of findings</source>
+        <translation>… und %1 weitere Arten von Befunden</translation>
+    </message>
+    <message>
+        <source>Contours: %1 (outlines %2, cut-outs %3)</source>
+        <translation>Konturen: %1 (Außenkonturen %2, Ausschnitte %3)</translation>
+    </message>
+    <message>
+        <source>And %1 more like it.</source>
+        <translation>Und %1 weitere dieser Art.</translation>
     </message>
 </context>
 <context>
@@ -278,10 +310,6 @@
     <message>
         <source>The pattern file is empty.</source>
         <translation>Die Musterdatei ist leer.</translation>
-    </message>
-    <message>
-        <source>This is a binary DXF file, which is not read yet; save it as ASCII DXF.</source>
-        <translation>Das ist eine binäre DXF-Datei; sie kann noch nicht gelesen werden. Bitte als ASCII-DXF speichern.</translation>
     </message>
     <message>
         <source>This is not a DXF file: {reason}.</source>
@@ -372,10 +400,6 @@
         <translation>Die Zeichnung hat keine geschlossene Kontur.</translation>
     </message>
     <message>
-        <source>The drawing has {count} contours; only a single outline can be ground yet.</source>
-        <translation>Die Zeichnung hat {count} Konturen; bisher kann nur ein einzelner Umriss geschliffen werden.</translation>
-    </message>
-    <message>
         <source>The contour encloses no area.</source>
         <translation>Die Kontur umschließt keine Fläche.</translation>
     </message>
@@ -384,20 +408,8 @@
         <translation>Die Kontur kreuzt oder berührt sich hier selbst.</translation>
     </message>
     <message>
-        <source>The contour has a concave corner of {angle_deg}° here; such corners cannot be ground yet.</source>
-        <translation>Die Kontur hat hier eine einspringende Ecke von {angle_deg}°; solche Ecken können noch nicht geschliffen werden.</translation>
-    </message>
-    <message>
         <source>The contour turns back on itself here, in a tip of {angle_deg}°; that is a mistake of the drawing.</source>
         <translation>Die Kontur kehrt hier in einer Spitze von {angle_deg}° um; das ist ein Fehler der Zeichnung.</translation>
-    </message>
-    <message>
-        <source>The wheel of {wheel_mm} mm radius does not fit into the hollow of {radius_mm} mm radius here.</source>
-        <translation>Die Schleifscheibe mit {wheel_mm} mm Radius passt hier nicht in die Höhlung mit {radius_mm} mm Radius.</translation>
-    </message>
-    <message>
-        <source>The wheel would touch another part of the glass here: {distance_mm} mm from the wheel&apos;s centre.</source>
-        <translation>Die Schleifscheibe würde hier eine andere Stelle des Glases berühren: {distance_mm} mm von ihrer Mitte.</translation>
     </message>
     <message>
         <source>Corner {corner}: the wheel lifts by {lift_mm} mm, less than the {depth_mm} mm of glass at the tip.</source>
@@ -459,6 +471,98 @@
         <source>At the park position the wheel&apos;s lower face would be {height_mm} mm above the table, over or beside the glass; it must be {least_mm} mm above.</source>
         <translation>In der Parkposition wäre die Unterseite der Scheibe {height_mm} mm über dem Tisch, über dem Glas oder neben ihm; es müssen {least_mm} mm sein.</translation>
     </message>
+    <message>
+        <source>The binary DXF file is damaged: {reason}.</source>
+        <translation>Die binäre DXF-Datei ist beschädigt: {reason}.</translation>
+    </message>
+    <message>
+        <source>Block {block} is defined twice, first on line {first}; give one of them another name.</source>
+        <translation>Block {block} ist zweimal definiert, zuerst in Zeile {first}; einem davon einen anderen Namen geben.</translation>
+    </message>
+    <message>
+        <source>{count} × INSERT of block {entity}, which the file does not have; explode it before saving.</source>
+        <translation>{count} × INSERT von Block {entity}, den die Datei nicht enthält; vor dem Speichern auflösen.</translation>
+    </message>
+    <message>
+        <source>Block {block} inserts itself here, or blocks are nested more than {most} deep; explode it before saving.</source>
+        <translation>Block {block} fügt hier sich selbst ein, oder Blöcke sind mehr als {most}-fach verschachtelt; vor dem Speichern auflösen.</translation>
+    </message>
+    <message>
+        <source>INSERT of block {entity} would make more than {most} pieces of the drawing; draw fewer copies.</source>
+        <translation>INSERT von Block {entity} würde mehr als {most} Stücke ergeben; weniger Kopien zeichnen.</translation>
+    </message>
+    <message>
+        <source>The SPLINE is no curve: {reason}.</source>
+        <translation>Die SPLINE ist keine Kurve: {reason}.</translation>
+    </message>
+    <message>
+        <source>From here on the curves of the drawing are too long or too many to follow with arcs ({most} steps).</source>
+        <translation>Ab hier sind die Kurven der Zeichnung zu lang oder zu viele, um ihnen mit Bögen zu folgen ({most} Schritte).</translation>
+    </message>
+    <message>
+        <source>{entity} lies {distance_mm} mm away, which is absurd for a pane of glass (more than {most_mm} mm).</source>
+        <translation>{entity} liegt {distance_mm} mm entfernt, was für eine Glasscheibe unsinnig ist (mehr als {most_mm} mm).</translation>
+    </message>
+    <message>
+        <source>A piece ends here on another one, between that one&apos;s ends; a contour cannot branch. Remove one of them.</source>
+        <translation>Ein Stück endet hier auf einem anderen, zwischen dessen Enden; eine Kontur kann sich nicht verzweigen. Eines davon entfernen.</translation>
+    </message>
+    <message>
+        <source>Contours {first} and {second} cross or touch here; move them apart in the drawing.</source>
+        <translation>Die Konturen {first} und {second} kreuzen oder berühren sich hier; in der Zeichnung auseinanderrücken.</translation>
+    </message>
+    <message>
+        <source>The {count} joints from here on look like the chords of a curve but stay corners: they are joined from a smoothing tolerance of {needed_mm} mm on (now {tolerance_mm} mm).</source>
+        <translation>Die {count} Stöße ab hier sehen aus wie die Sehnen einer Kurve, bleiben aber Ecken: Sie werden ab einer Glättungstoleranz von {needed_mm} mm verbunden (jetzt {tolerance_mm} mm).</translation>
+    </message>
+    <message>
+        <source>The wheel of {wheel_mm} mm radius does not reach {length_mm} mm of the contour here; up to {left_mm} mm of glass would stay. Take a wheel of at most {largest_mm} mm, or accept that this stays unground.</source>
+        <translation>Die Schleifscheibe mit {wheel_mm} mm Radius erreicht hier {length_mm} mm der Kontur nicht; bis zu {left_mm} mm Glas blieben stehen. Eine Schleifscheibe von höchstens {largest_mm} mm nehmen oder zulassen, dass dies ungeschliffen bleibt.</translation>
+    </message>
+    <message>
+        <source>The wheel of {wheel_mm} mm radius does not reach {length_mm} mm of the contour here; up to {left_mm} mm of glass stay. A wheel of at most {largest_mm} mm would.</source>
+        <translation>Die Schleifscheibe mit {wheel_mm} mm Radius erreicht hier {length_mm} mm der Kontur nicht; bis zu {left_mm} mm Glas bleiben stehen. Eine Schleifscheibe von höchstens {largest_mm} mm würde es.</translation>
+    </message>
+    <message>
+        <source>The wheel of {wheel_mm} mm radius does not reach this contour of {length_mm} mm at all. Take a wheel of less than {largest_mm} mm, or accept that it stays unground.</source>
+        <translation>Die Schleifscheibe mit {wheel_mm} mm Radius erreicht diese Kontur von {length_mm} mm überhaupt nicht. Eine Schleifscheibe unter {largest_mm} mm nehmen oder zulassen, dass sie ungeschliffen bleibt.</translation>
+    </message>
+    <message>
+        <source>This contour of {length_mm} mm stays unground: the wheel of {wheel_mm} mm radius does not reach it. A wheel of less than {largest_mm} mm would.</source>
+        <translation>Diese Kontur von {length_mm} mm bleibt ungeschliffen: Die Schleifscheibe mit {wheel_mm} mm Radius erreicht sie nicht. Eine Schleifscheibe unter {largest_mm} mm würde es.</translation>
+    </message>
+    <message>
+        <source>The wheel of {wheel_mm} mm radius reaches no contour at all.</source>
+        <translation>Die Schleifscheibe mit {wheel_mm} mm Radius erreicht überhaupt keine Kontur.</translation>
+    </message>
+    <message>
+        <source>Corner {corner} is concave: the wheel leaves {fillet_mm} mm of glass before it, and {unground_mm} mm of its edges are not ground.</source>
+        <translation>Ecke {corner} ist einspringend: Die Schleifscheibe lässt {fillet_mm} mm Glas vor ihr stehen, und {unground_mm} mm ihrer Kanten werden nicht geschliffen.</translation>
+    </message>
+    <message>
+        <source>Corner {corner}: a transition would touch other glass here; the wheel rolls round the corner instead.</source>
+        <translation>Ecke {corner}: Ein Übergang würde hier anderes Glas berühren; die Schleifscheibe rollt stattdessen um die Ecke ab.</translation>
+    </message>
+    <message>
+        <source>A size correction of {correction_mm} mm would change the shape of the contour here.</source>
+        <translation>Eine Maßkorrektur von {correction_mm} mm würde hier die Form der Kontur ändern.</translation>
+    </message>
+    <message>
+        <source>The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the glass and has {distance_mm} mm. What it would grind from here stays unground.</source>
+        <translation>Die Scheibe kann hier nicht {what}: sie braucht {needed_mm} mm zwischen ihrer Mitte und dem Glas und hat {distance_mm} mm. Was sie von hier aus schliffe, bleibt ungeschliffen.</translation>
+    </message>
+    <message>
+        <source>(line %1 of the file, at X %2, Y %3 mm)</source>
+        <translation>(Zeile %1 der Datei, bei X %2, Y %3 mm)</translation>
+    </message>
+    <message>
+        <source>(line %1 of the file)</source>
+        <translation>(Zeile %1 der Datei)</translation>
+    </message>
+    <message>
+        <source>(at X %1, Y %2 mm)</source>
+        <translation>(bei X %1, Y %2 mm)</translation>
+    </message>
 </context>
 <context>
     <name>ProblemWord</name>
@@ -483,12 +587,12 @@
         <translation>Sie enthält NUL-Bytes</translation>
     </message>
     <message>
-        <source>it is a DWG drawing; save it as ASCII DXF</source>
-        <translation>Es ist eine DWG-Zeichnung; bitte als ASCII-DXF speichern</translation>
+        <source>it is a DWG drawing; save it as DXF</source>
+        <translation>Es ist eine DWG-Zeichnung; bitte als DXF speichern</translation>
     </message>
     <message>
         <source>it is UTF-16 text; save it as ASCII DXF</source>
-        <translation>Es ist UTF-16-Text; bitte als ASCII-DXF speichern</translation>
+        <translation>Es ist UTF-16-Text; bitte als DXF speichern</translation>
     </message>
     <message>
         <source>it begins with {} and not with a group code</source>
@@ -678,6 +782,106 @@
         <source>grinding</source>
         <translation>Schleifhöhe</translation>
     </message>
+    <message>
+        <source>knots</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>control points</source>
+        <translation>Kontrollpunkte</translation>
+    </message>
+    <message>
+        <source>fit points</source>
+        <translation>Stützpunkte</translation>
+    </message>
+    <message>
+        <source>X of its major axis</source>
+        <translation>X der Hauptachse</translation>
+    </message>
+    <message>
+        <source>Y of its major axis</source>
+        <translation>Y der Hauptachse</translation>
+    </message>
+    <message>
+        <source>ratio of its axes</source>
+        <translation>Verhältnis der Achsen</translation>
+    </message>
+    <message>
+        <source>a ratio of axes of</source>
+        <translation>als Achsenverhältnis</translation>
+    </message>
+    <message>
+        <source>name of the block</source>
+        <translation>Name des Blocks</translation>
+    </message>
+    <message>
+        <source>a major axis of</source>
+        <translation>als Hauptachse</translation>
+    </message>
+    <message>
+        <source>layer {} is not chosen</source>
+        <translation>Layer {} ist nicht ausgewählt</translation>
+    </message>
+    <message>
+        <source>block {} has no ENDBLK</source>
+        <translation>Block {} hat kein ENDBLK</translation>
+    </message>
+    <message>
+        <source>{} stands outside of any block</source>
+        <translation>{} steht außerhalb der Blöcke</translation>
+    </message>
+    <message>
+        <source>ENDBLK without a BLOCK</source>
+        <translation>ENDBLK ohne BLOCK</translation>
+    </message>
+    <message>
+        <source>its first line is broken</source>
+        <translation>Ihre erste Zeile ist fehlerhaft</translation>
+    </message>
+    <message>
+        <source>byte {} begins no group</source>
+        <translation>Mit Byte {} beginnt keine Gruppe</translation>
+    </message>
+    <message>
+        <source>it ends within the group at byte {}</source>
+        <translation>Sie endet in der Gruppe bei Byte {}</translation>
+    </message>
+    <message>
+        <source>its degree is {}; up to {} are read</source>
+        <translation>Ihr Grad ist {}; bis {} wird gelesen</translation>
+    </message>
+    <message>
+        <source>it has {} control points and needs {}</source>
+        <translation>Sie hat {} Kontrollpunkte und braucht {}</translation>
+    </message>
+    <message>
+        <source>it has {} knots and needs {}</source>
+        <translation>Sie hat {} Knoten und braucht {}</translation>
+    </message>
+    <message>
+        <source>its knots fall from {} to {}</source>
+        <translation>Ihre Knoten fallen von {} auf {}</translation>
+    </message>
+    <message>
+        <source>its knots are all the same</source>
+        <translation>Ihre Knoten sind alle gleich</translation>
+    </message>
+    <message>
+        <source>it has {} weights and needs {}</source>
+        <translation>Sie hat {} Gewichte und braucht {}</translation>
+    </message>
+    <message>
+        <source>it has a weight of {}, which is not positive</source>
+        <translation>Sie hat ein Gewicht von {}, das nicht positiv ist</translation>
+    </message>
+    <message>
+        <source>its weights reach from {} to {}</source>
+        <translation>Ihre Gewichte reichen von {} bis {}</translation>
+    </message>
+    <message>
+        <source>it breaks apart</source>
+        <translation>Sie reißt auseinander</translation>
+    </message>
 </context>
 <context>
     <name>ProfilePage</name>
@@ -700,6 +904,10 @@
     <message>
         <source>Work %1 of %2 · wheel R %3 mm · feed %4 mm/min · acceleration X %5, Y %6 mm/s²</source>
         <translation>Arbeit %1 von %2 · Schleifscheibe R %3 mm · Vorschub %4 mm/min · Beschleunigung X %5, Y %6 mm/s²</translation>
+    </message>
+    <message>
+        <source>Between contours</source>
+        <translation>Zwischen Konturen</translation>
     </message>
 </context>
 <context>
@@ -865,6 +1073,26 @@
     <message>
         <source>%1, %2 mm</source>
         <translation>%1, %2 mm</translation>
+    </message>
+    <message>
+        <source>(contour %1)</source>
+        <translation>(Kontur %1)</translation>
+    </message>
+    <message>
+        <source>Glass left</source>
+        <translation>Glas bleibt</translation>
+    </message>
+    <message>
+        <source>%1 mm before the corner</source>
+        <translation>%1 mm vor der Ecke</translation>
+    </message>
+    <message>
+        <source>Not ground</source>
+        <translation>Ungeschliffen</translation>
+    </message>
+    <message>
+        <source>%1 mm of its edges</source>
+        <translation>%1 mm der Kanten</translation>
     </message>
 </context>
 <context>
@@ -1042,16 +1270,12 @@ Programm: %2</translation>
 <context>
     <name>arris::ui::ProblemModel</name>
     <message>
-        <source>(line %1 of the file)</source>
-        <translation>(Zeile %1 der Datei)</translation>
-    </message>
-    <message>
-        <source>(at X %1, Y %2 mm)</source>
-        <translation>(bei X %1, Y %2 mm)</translation>
-    </message>
-    <message>
         <source>%1: %2 %3</source>
         <translation>%1: %2 %3</translation>
+    </message>
+    <message>
+        <source>Repaired</source>
+        <translation>Repariert</translation>
     </message>
 </context>
 <context>
@@ -1158,6 +1382,20 @@ mm</translation>
     <message>
         <source>The drawing still shows the last valid values.</source>
         <translation>Die Zeichnung zeigt noch die letzten gültigen Werte.</translation>
+    </message>
+    <message>
+        <source>Grinding</source>
+        <translation>Schleifen</translation>
+    </message>
+    <message>
+        <source>Pane</source>
+        <translation>Scheibe</translation>
+    </message>
+    <message>
+        <source>Leave unground what
+the wheel cannot reach</source>
+        <translation>Unerreichbares bleibt
+ungeschliffen</translation>
     </message>
 </context>
 <context>

@@ -59,6 +59,18 @@
         <source>scaled by the corner speed</source>
         <translation>按转角速度缩放</translation>
     </message>
+    <message>
+        <source>Other glass is in the way of a transition path: the wheel rolls round the corner.</source>
+        <translation>过渡路径被其他玻璃挡住：磨轮绕角滚过。</translation>
+    </message>
+    <message>
+        <source>Concave, but shallow: an arc takes the place of the path&apos;s kink.</source>
+        <translation>凹角，但较平缓：以圆弧代替路径的折点。</translation>
+    </message>
+    <message>
+        <source>Concave: the wheel stops where it touches both edges.</source>
+        <translation>凹角：磨轮在同时接触两条边处停止。</translation>
+    </message>
 </context>
 <context>
     <name>Legend</name>
@@ -77,10 +89,6 @@
     <message>
         <source>Corner transition</source>
         <translation>转角过渡</translation>
-    </message>
-    <message>
-        <source>Roll round a corner</source>
-        <translation>绕角滚动</translation>
     </message>
     <message>
         <source>Lead-in, lead-out</source>
@@ -105,6 +113,26 @@
     <message>
         <source>Slower between these</source>
         <translation>此间减速</translation>
+    </message>
+    <message>
+        <source>Roll or arc at a corner</source>
+        <translation>转角处滚过或圆弧</translation>
+    </message>
+    <message>
+        <source>Stop in a concave corner</source>
+        <translation>凹角处停止</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Note, repair</source>
+        <translation>提示、修复</translation>
     </message>
 </context>
 <context>
@@ -181,10 +209,6 @@
         <translation>比例 1 : %1</translation>
     </message>
     <message>
-        <source>… and %1 more</source>
-        <translation>… 另有 %1 条</translation>
-    </message>
-    <message>
         <source>No contour</source>
         <translation>无轮廓</translation>
     </message>
@@ -213,12 +237,20 @@
         <translation>磨削 %1 · 整个程序 %2 · 磨轮路径 %3 mm</translation>
     </message>
     <message>
-        <source>Contours: %1</source>
-        <translation>轮廓：%1</translation>
-    </message>
-    <message>
         <source>pieces in no contour: %1</source>
         <translation>不属于轮廓的线段：%1</translation>
+    </message>
+    <message>
+        <source>… and %1 more kinds of findings</source>
+        <translation>……另有 %1 类结果</translation>
+    </message>
+    <message>
+        <source>Contours: %1 (outlines %2, cut-outs %3)</source>
+        <translation>轮廓：%1（外轮廓 %2，开孔 %3）</translation>
+    </message>
+    <message>
+        <source>And %1 more like it.</source>
+        <translation>另有 %1 处同类。</translation>
     </message>
 </context>
 <context>
@@ -278,10 +310,6 @@
     <message>
         <source>The pattern file is empty.</source>
         <translation>图样文件为空。</translation>
-    </message>
-    <message>
-        <source>This is a binary DXF file, which is not read yet; save it as ASCII DXF.</source>
-        <translation>这是二进制 DXF 文件，尚不支持读取；请另存为 ASCII DXF。</translation>
     </message>
     <message>
         <source>This is not a DXF file: {reason}.</source>
@@ -372,10 +400,6 @@
         <translation>图中没有闭合轮廓。</translation>
     </message>
     <message>
-        <source>The drawing has {count} contours; only a single outline can be ground yet.</source>
-        <translation>图中有 {count} 个轮廓；目前只能磨削单个外轮廓。</translation>
-    </message>
-    <message>
         <source>The contour encloses no area.</source>
         <translation>轮廓没有围成面积。</translation>
     </message>
@@ -384,20 +408,8 @@
         <translation>轮廓在此处自相交或自接触。</translation>
     </message>
     <message>
-        <source>The contour has a concave corner of {angle_deg}° here; such corners cannot be ground yet.</source>
-        <translation>轮廓在此处有 {angle_deg}° 的凹角；目前还不能磨削这种转角。</translation>
-    </message>
-    <message>
         <source>The contour turns back on itself here, in a tip of {angle_deg}°; that is a mistake of the drawing.</source>
         <translation>轮廓在此处折返，尖端仅 {angle_deg}°；这是图纸错误。</translation>
-    </message>
-    <message>
-        <source>The wheel of {wheel_mm} mm radius does not fit into the hollow of {radius_mm} mm radius here.</source>
-        <translation>半径 {wheel_mm} mm 的磨轮放不进此处半径 {radius_mm} mm 的凹处。</translation>
-    </message>
-    <message>
-        <source>The wheel would touch another part of the glass here: {distance_mm} mm from the wheel&apos;s centre.</source>
-        <translation>磨轮在此处会碰到玻璃的其他部位：距磨轮中心 {distance_mm} mm。</translation>
     </message>
     <message>
         <source>Corner {corner}: the wheel lifts by {lift_mm} mm, less than the {depth_mm} mm of glass at the tip.</source>
@@ -459,6 +471,98 @@
         <source>At the park position the wheel&apos;s lower face would be {height_mm} mm above the table, over or beside the glass; it must be {least_mm} mm above.</source>
         <translation>在停放位置，磨轮下表面将高于工作台 {height_mm} mm，位于玻璃上方或旁边；必须高出 {least_mm} mm。</translation>
     </message>
+    <message>
+        <source>The binary DXF file is damaged: {reason}.</source>
+        <translation>二进制 DXF 文件已损坏：{reason}。</translation>
+    </message>
+    <message>
+        <source>Block {block} is defined twice, first on line {first}; give one of them another name.</source>
+        <translation>块 {block} 被定义了两次，第一次在第 {first} 行；请给其中一个改名。</translation>
+    </message>
+    <message>
+        <source>{count} × INSERT of block {entity}, which the file does not have; explode it before saving.</source>
+        <translation>{count} 个 INSERT 引用块 {entity}，而文件中没有该块；请在保存前分解。</translation>
+    </message>
+    <message>
+        <source>Block {block} inserts itself here, or blocks are nested more than {most} deep; explode it before saving.</source>
+        <translation>块 {block} 在此处插入自身，或块的嵌套超过 {most} 层；请在保存前分解。</translation>
+    </message>
+    <message>
+        <source>INSERT of block {entity} would make more than {most} pieces of the drawing; draw fewer copies.</source>
+        <translation>块 {entity} 的 INSERT 会产生超过 {most} 个图形段；请减少副本。</translation>
+    </message>
+    <message>
+        <source>The SPLINE is no curve: {reason}.</source>
+        <translation>SPLINE 不构成曲线：{reason}。</translation>
+    </message>
+    <message>
+        <source>From here on the curves of the drawing are too long or too many to follow with arcs ({most} steps).</source>
+        <translation>从此处起，图中的曲线过长或过多，无法用圆弧逼近（{most} 步）。</translation>
+    </message>
+    <message>
+        <source>{entity} lies {distance_mm} mm away, which is absurd for a pane of glass (more than {most_mm} mm).</source>
+        <translation>{entity} 位于 {distance_mm} mm 之外，对玻璃来说不合理（超过 {most_mm} mm）。</translation>
+    </message>
+    <message>
+        <source>A piece ends here on another one, between that one&apos;s ends; a contour cannot branch. Remove one of them.</source>
+        <translation>一段在此处终止于另一段的中间；轮廓不能分叉。请删除其中一段。</translation>
+    </message>
+    <message>
+        <source>Contours {first} and {second} cross or touch here; move them apart in the drawing.</source>
+        <translation>轮廓 {first} 和 {second} 在此处相交或接触；请在图中将其分开。</translation>
+    </message>
+    <message>
+        <source>The {count} joints from here on look like the chords of a curve but stay corners: they are joined from a smoothing tolerance of {needed_mm} mm on (now {tolerance_mm} mm).</source>
+        <translation>从此处起的 {count} 个连接点像是曲线的弦，但仍作为转角：平滑公差达到 {needed_mm} mm 时才会连成曲线（现为 {tolerance_mm} mm）。</translation>
+    </message>
+    <message>
+        <source>The wheel of {wheel_mm} mm radius does not reach {length_mm} mm of the contour here; up to {left_mm} mm of glass would stay. Take a wheel of at most {largest_mm} mm, or accept that this stays unground.</source>
+        <translation>半径 {wheel_mm} mm 的磨轮在此处有 {length_mm} mm 轮廓磨不到；最多会留下 {left_mm} mm 玻璃。请使用半径不超过 {largest_mm} mm 的磨轮，或允许此处不磨。</translation>
+    </message>
+    <message>
+        <source>The wheel of {wheel_mm} mm radius does not reach {length_mm} mm of the contour here; up to {left_mm} mm of glass stay. A wheel of at most {largest_mm} mm would.</source>
+        <translation>半径 {wheel_mm} mm 的磨轮在此处有 {length_mm} mm 轮廓磨不到；最多留下 {left_mm} mm 玻璃。半径不超过 {largest_mm} mm 的磨轮可以磨到。</translation>
+    </message>
+    <message>
+        <source>The wheel of {wheel_mm} mm radius does not reach this contour of {length_mm} mm at all. Take a wheel of less than {largest_mm} mm, or accept that it stays unground.</source>
+        <translation>半径 {wheel_mm} mm 的磨轮完全磨不到这条 {length_mm} mm 的轮廓。请使用半径小于 {largest_mm} mm 的磨轮，或允许其不磨。</translation>
+    </message>
+    <message>
+        <source>This contour of {length_mm} mm stays unground: the wheel of {wheel_mm} mm radius does not reach it. A wheel of less than {largest_mm} mm would.</source>
+        <translation>这条 {length_mm} mm 的轮廓不磨：半径 {wheel_mm} mm 的磨轮磨不到。半径小于 {largest_mm} mm 的磨轮可以磨到。</translation>
+    </message>
+    <message>
+        <source>The wheel of {wheel_mm} mm radius reaches no contour at all.</source>
+        <translation>半径 {wheel_mm} mm 的磨轮磨不到任何轮廓。</translation>
+    </message>
+    <message>
+        <source>Corner {corner} is concave: the wheel leaves {fillet_mm} mm of glass before it, and {unground_mm} mm of its edges are not ground.</source>
+        <translation>转角 {corner} 为凹角：磨轮在其前留下 {fillet_mm} mm 玻璃，其边有 {unground_mm} mm 未磨。</translation>
+    </message>
+    <message>
+        <source>Corner {corner}: a transition would touch other glass here; the wheel rolls round the corner instead.</source>
+        <translation>转角 {corner}：过渡路径会碰到其他玻璃；磨轮改为绕角滚过。</translation>
+    </message>
+    <message>
+        <source>A size correction of {correction_mm} mm would change the shape of the contour here.</source>
+        <translation>{correction_mm} mm 的尺寸修正会改变此处轮廓的形状。</translation>
+    </message>
+    <message>
+        <source>The wheel cannot {what} here: it needs {needed_mm} mm between its centre and the glass and has {distance_mm} mm. What it would grind from here stays unground.</source>
+        <translation>磨轮无法在此处{what}：磨轮中心与玻璃之间需要 {needed_mm} mm，实际为 {distance_mm} mm。从此处要磨的部分不磨。</translation>
+    </message>
+    <message>
+        <source>(line %1 of the file, at X %2, Y %3 mm)</source>
+        <translation>（文件第 %1 行，位于 X %2，Y %3 mm）</translation>
+    </message>
+    <message>
+        <source>(line %1 of the file)</source>
+        <translation>（文件第 %1 行）</translation>
+    </message>
+    <message>
+        <source>(at X %1, Y %2 mm)</source>
+        <translation>（位于 X %1，Y %2 mm）</translation>
+    </message>
 </context>
 <context>
     <name>ProblemWord</name>
@@ -483,8 +587,8 @@
         <translation>含有 NUL 字节</translation>
     </message>
     <message>
-        <source>it is a DWG drawing; save it as ASCII DXF</source>
-        <translation>这是 DWG 图纸，请另存为 ASCII DXF</translation>
+        <source>it is a DWG drawing; save it as DXF</source>
+        <translation>这是 DWG 图纸，请另存为 DXF</translation>
     </message>
     <message>
         <source>it is UTF-16 text; save it as ASCII DXF</source>
@@ -678,6 +782,106 @@
         <source>grinding</source>
         <translation>磨削高度</translation>
     </message>
+    <message>
+        <source>knots</source>
+        <translation>节点</translation>
+    </message>
+    <message>
+        <source>control points</source>
+        <translation>控制点</translation>
+    </message>
+    <message>
+        <source>fit points</source>
+        <translation>拟合点</translation>
+    </message>
+    <message>
+        <source>X of its major axis</source>
+        <translation>长轴的 X</translation>
+    </message>
+    <message>
+        <source>Y of its major axis</source>
+        <translation>长轴的 Y</translation>
+    </message>
+    <message>
+        <source>ratio of its axes</source>
+        <translation>两轴之比</translation>
+    </message>
+    <message>
+        <source>a ratio of axes of</source>
+        <translation>两轴之比</translation>
+    </message>
+    <message>
+        <source>name of the block</source>
+        <translation>块名</translation>
+    </message>
+    <message>
+        <source>a major axis of</source>
+        <translation>长轴</translation>
+    </message>
+    <message>
+        <source>layer {} is not chosen</source>
+        <translation>图层 {} 未选择</translation>
+    </message>
+    <message>
+        <source>block {} has no ENDBLK</source>
+        <translation>块 {} 没有 ENDBLK</translation>
+    </message>
+    <message>
+        <source>{} stands outside of any block</source>
+        <translation>{} 不在任何块内</translation>
+    </message>
+    <message>
+        <source>ENDBLK without a BLOCK</source>
+        <translation>ENDBLK 之前没有 BLOCK</translation>
+    </message>
+    <message>
+        <source>its first line is broken</source>
+        <translation>首行损坏</translation>
+    </message>
+    <message>
+        <source>byte {} begins no group</source>
+        <translation>字节 {} 处不是组的开头</translation>
+    </message>
+    <message>
+        <source>it ends within the group at byte {}</source>
+        <translation>文件在字节 {} 处的组中间结束</translation>
+    </message>
+    <message>
+        <source>its degree is {}; up to {} are read</source>
+        <translation>其阶数为 {}；最多读取 {} 阶</translation>
+    </message>
+    <message>
+        <source>it has {} control points and needs {}</source>
+        <translation>有 {} 个控制点，需要 {} 个</translation>
+    </message>
+    <message>
+        <source>it has {} knots and needs {}</source>
+        <translation>有 {} 个节点，需要 {} 个</translation>
+    </message>
+    <message>
+        <source>its knots fall from {} to {}</source>
+        <translation>节点值从 {} 降到 {}</translation>
+    </message>
+    <message>
+        <source>its knots are all the same</source>
+        <translation>所有节点值相同</translation>
+    </message>
+    <message>
+        <source>it has {} weights and needs {}</source>
+        <translation>有 {} 个权值，需要 {} 个</translation>
+    </message>
+    <message>
+        <source>it has a weight of {}, which is not positive</source>
+        <translation>有权值 {}，不是正数</translation>
+    </message>
+    <message>
+        <source>its weights reach from {} to {}</source>
+        <translation>权值从 {} 到 {}</translation>
+    </message>
+    <message>
+        <source>it breaks apart</source>
+        <translation>曲线断开</translation>
+    </message>
 </context>
 <context>
     <name>ProfilePage</name>
@@ -700,6 +904,10 @@
     <message>
         <source>Work %1 of %2 · wheel R %3 mm · feed %4 mm/min · acceleration X %5, Y %6 mm/s²</source>
         <translation>加工 %1，共 %2 · 磨轮 R %3 mm · 进给 %4 mm/min · 加速度 X %5，Y %6 mm/s²</translation>
+    </message>
+    <message>
+        <source>Between contours</source>
+        <translation>轮廓之间</translation>
     </message>
 </context>
 <context>
@@ -865,6 +1073,26 @@
     <message>
         <source>%1, %2 mm</source>
         <translation>%1，%2 mm</translation>
+    </message>
+    <message>
+        <source>(contour %1)</source>
+        <translation>（轮廓 %1）</translation>
+    </message>
+    <message>
+        <source>Glass left</source>
+        <translation>残留玻璃</translation>
+    </message>
+    <message>
+        <source>%1 mm before the corner</source>
+        <translation>角前 %1 mm</translation>
+    </message>
+    <message>
+        <source>Not ground</source>
+        <translation>未磨</translation>
+    </message>
+    <message>
+        <source>%1 mm of its edges</source>
+        <translation>边上 %1 mm</translation>
     </message>
 </context>
 <context>
@@ -1042,16 +1270,12 @@ Whole program: %2</source>
 <context>
     <name>arris::ui::ProblemModel</name>
     <message>
-        <source>(line %1 of the file)</source>
-        <translation>（文件第 %1 行）</translation>
-    </message>
-    <message>
-        <source>(at X %1, Y %2 mm)</source>
-        <translation>（位于 X %1，Y %2 mm）</translation>
-    </message>
-    <message>
         <source>%1: %2 %3</source>
         <translation>%1：%2 %3</translation>
+    </message>
+    <message>
+        <source>Repaired</source>
+        <translation>已修复</translation>
     </message>
 </context>
 <context>
@@ -1158,6 +1382,20 @@ mm</translation>
     <message>
         <source>The drawing still shows the last valid values.</source>
         <translation>图形仍按最近的有效值显示。</translation>
+    </message>
+    <message>
+        <source>Grinding</source>
+        <translation>磨削</translation>
+    </message>
+    <message>
+        <source>Pane</source>
+        <translation>玻璃</translation>
+    </message>
+    <message>
+        <source>Leave unground what
+the wheel cannot reach</source>
+        <translation>磨轮磨不到的部分
+允许不磨</translation>
     </message>
 </context>
 <context>

@@ -84,20 +84,24 @@ const std::vector<CodeInfo>& allCodes() {
       {SpikeInContour, "spike-in-contour", Error,
        "The contour turns back on itself here, in a tip of {angle_deg}°; that is a mistake of the drawing."},
       {Unreached, "unreached", Error,
-       "The wheel of {wheel_mm} mm radius does not reach {length_mm} mm of the contour here; up to {left_mm} mm of glass "
+       "The wheel of {wheel_mm} mm radius does not reach {length_mm} mm of the contour here; up to {left_mm} mm of "
+       "glass "
        "would stay. Take a wheel of at most {largest_mm} mm, or accept that this stays unground."},
       {UnreachedAccepted, "unreached-accepted", Warning,
-       "The wheel of {wheel_mm} mm radius does not reach {length_mm} mm of the contour here; up to {left_mm} mm of glass "
+       "The wheel of {wheel_mm} mm radius does not reach {length_mm} mm of the contour here; up to {left_mm} mm of "
+       "glass "
        "stay. A wheel of at most {largest_mm} mm would."},
       {ContourNotEntered, "contour-not-entered", Error,
-       "The wheel of {wheel_mm} mm radius does not reach this contour of {length_mm} mm at all. Take a wheel of less than "
+       "The wheel of {wheel_mm} mm radius does not reach this contour of {length_mm} mm at all. Take a wheel of less "
+       "than "
        "{largest_mm} mm, or accept that it stays unground."},
       {ContourLeftOut, "contour-left-out", Warning,
        "This contour of {length_mm} mm stays unground: the wheel of {wheel_mm} mm radius does not reach it. A wheel of "
        "less than {largest_mm} mm would."},
       {NothingToGrind, "nothing-to-grind", Error, "The wheel of {wheel_mm} mm radius reaches no contour at all."},
       {ConcaveFillet, "concave-fillet", Warning,
-       "Corner {corner} is concave: the wheel leaves {fillet_mm} mm of glass before it, and {unground_mm} mm of its edges "
+       "Corner {corner} is concave: the wheel leaves {fillet_mm} mm of glass before it, and {unground_mm} mm of its "
+       "edges "
        "are not ground."},
       {TransitionBlocked, "transition-blocked", Warning,
        "Corner {corner}: a transition would touch other glass here; the wheel rolls round the corner instead."},

@@ -38,9 +38,10 @@ Wording wordingOf(Reason reason) {
             "The corner is concave ({angle_deg}°). The kink of the wheel path is so small that an arc can take its "
             "place and leaves no more than {kink_mm} mm of glass in addition."};
   case Reason::ConcaveDeep:
-    return {"concave-deep", "The corner is concave ({angle_deg}°). The wheel stops in it, where it touches both edges; an "
-                            "arc that leaves no more than {kink_mm} mm of glass in addition would be smaller than "
-                            "{least_mm} mm."};
+    return {"concave-deep",
+            "The corner is concave ({angle_deg}°). The wheel stops in it, where it touches both edges; an "
+            "arc that leaves no more than {kink_mm} mm of glass in addition would be smaller than "
+            "{least_mm} mm."};
   }
   return {};
 }

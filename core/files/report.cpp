@@ -53,14 +53,21 @@ void writeContour(JsonWriter& json, const pattern::Contour& contour, std::option
   if (unground) {
     json.member("untouched_mm", *unground);
   }
+  if (contour.parent != 0) {
+    json.member("parent", contour.parent);
+  }
   json.close();
 }
 
 void writeRepair(JsonWriter& json, const base::Problem& repair, const Eigen::Isometry2d& placement) {
   json.openObject();
   json.member("code", base::info(repair.code).name);
+  json.member("text", base::describe(repair));
   if (repair.where) {
     json.member("where_mm", Eigen::Vector2d(placement * *repair.where));
+  }
+  if (repair.line) {
+    json.member("line", *repair.line);
   }
   for (const base::Value& value : repair.values) {
     json.member(value.name, value);

@@ -21,7 +21,8 @@ struct FlatBox {
 
   explicit FlatBox(const Point& p) : left(p.x()), low(p.y()), right(p.x()), high(p.y()) {}
 
-  explicit FlatBox(const Box& box) : left(box.min().x()), low(box.min().y()), right(box.max().x()), high(box.max().y()) {}
+  explicit FlatBox(const Box& box)
+      : left(box.min().x()), low(box.min().y()), right(box.max().x()), high(box.max().y()) {}
 
   void extend(const FlatBox& other) {
     left = std::min(left, other.left);
@@ -48,8 +49,8 @@ struct FlatBox {
 /// A box that holds a line or an arc, tight but for the rise of a shallow arc; cheaper than `bounds`.
 [[nodiscard]] FlatBox flatBounds(const Curve& lineOrArc);
 
-/// A binary tree over boxes in their given order: the curves of a contour lie near their neighbours, so that it needs no
-/// sorting.
+/// A binary tree over boxes in their given order: the curves of a contour lie near their neighbours, so that it needs
+/// no sorting.
 class BoxTree {
 public:
   BoxTree() = default;
@@ -83,8 +84,8 @@ public:
     }
   }
 
-  /// The least `distance(i)` below `limit` over all boxes; `limit` where there is none. `distance(i)` is never less than
-  /// the distance of box i from `point`.
+  /// The least `distance(i)` below `limit` over all boxes; `limit` where there is none. `distance(i)` is never less
+  /// than the distance of box i from `point`.
   template <typename Distance> [[nodiscard]] double least(const Point& point, double limit, Distance distance) const {
     if (m_count > 0) {
       descend(kRoot, FlatBox(point), limit, distance);
@@ -109,8 +110,7 @@ private:
       limit = std::min(limit, distance(node - m_leaves));
       return;
     }
-    const bool rightFirst =
-        squaredDistance(m_boxes[2 * node + 1], point) < squaredDistance(m_boxes[2 * node], point);
+    const bool rightFirst = squaredDistance(m_boxes[2 * node + 1], point) < squaredDistance(m_boxes[2 * node], point);
     descend(2 * node + (rightFirst ? 1 : 0), point, limit, distance);
     descend(2 * node + (rightFirst ? 0 : 1), point, limit, distance);
   }

@@ -7,9 +7,9 @@
 
 namespace arris::geometry {
 
-/// A line or an arc seen from its middle, with a parameter that makes it rational: s = (2/κ) tan(κ(λ − length/2)/2), on a
-/// line λ − length/2. It rises with λ and covers the whole line, or the whole circle but for the point opposite to the
-/// middle: so all is found without angles, for every curvature from 0 on.
+/// A line or an arc seen from its middle, with a parameter that makes it rational: s = (2/κ) tan(κ(λ − length/2)/2), on
+/// a line λ − length/2. It rises with λ and covers the whole line, or the whole circle but for the point opposite to
+/// the middle: so all is found without angles, for every curvature from 0 on.
 class Track {
 public:
   Track() = default;

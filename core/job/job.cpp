@@ -1,5 +1,6 @@
 #include "core/job/job.h"
 
+#include "core/job/contour_numbers.h"
 #include "core/job/phases.h"
 #include "core/job/placement.h"
 #include "core/job/program_track.h"
@@ -70,6 +71,7 @@ Job planJob(const pattern::Pattern& pattern, const recipe::Recipe& recipe, const
     return job;
   }
   job.toolpath = toolpath::makeToolpath(job.contours, recipe, leads, machine.park.head<2>());
+  numberContoursAsMachined(job);
   base::Problems problems = job.toolpath.problems;
   append(problems, checkTravel(job.toolpath, machine));
   append(problems, machineSpeedNotes(recipe, machine));

@@ -55,7 +55,7 @@ struct Job {
   recipe::Recipe recipe;
   recipe::Machine machine;
   Placement placement;
-  std::vector<pattern::Contour> contours; ///< on the table
+  std::vector<pattern::Contour> contours; ///< on the table; numbered as they are machined once that is known
   toolpath::Toolpath toolpath;
   std::vector<motion::Segment> track; ///< the whole program, park position to park position
   motion::AxisLimits limits;

@@ -28,8 +28,8 @@ struct Segment {
   double feed = 0; ///< mm/s, programmed speed of λ at an override of 100 %; the override scales it
   double speedCap = std::numeric_limits<double>::infinity(); ///< mm/s of λ that no override exceeds (v_trans)
   bool stopAtEnd = false;
-  int contour = 0; ///< from 1; 0 off the contours
-  int number = 0;  ///< of the wheel path's primitive over the whole program, from 1; 0 in rapids and plunges
+  int contour = 0;    ///< from 1; 0 off the contours
+  int number = 0;     ///< of the wheel path's primitive over the whole program, from 1; 0 in rapids and plunges
   int corner = 0;     ///< whose transition, roll or arc this is; 0 none
   int stopCorner = 0; ///< the concave corner at which the wheel stops at the end of this; 0 none
 };

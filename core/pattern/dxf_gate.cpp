@@ -401,7 +401,7 @@ std::optional<Problem> notEvenText(std::string_view text) {
     return Problem(Code::DxfEmpty);
   }
   if (text.starts_with("AC10")) {
-    return notDxf("it is a DWG drawing; save it as ASCII DXF");
+    return notDxf("it is a DWG drawing; save it as DXF");
   }
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
     return notDxf("it is UTF-16 text; save it as ASCII DXF");

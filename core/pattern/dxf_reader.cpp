@@ -233,7 +233,7 @@ private:
   void addPlain(const Entity& entity, std::size_t number, const Map& map);
   void addArc(const EllipticArc& arc);
   void addPolyline(const Entity& entity, std::span<const Vertex> vertices, const Map& map);
-  void keepVertices(std::span<const Vertex> vertices, bool closed, const Map& map);
+  void keepVertices(const Entity& entity, std::span<const Vertex> vertices, bool closed, const Map& map);
   void addSegment(const Entity& entity, const Vertex& start, const Vertex& end, const Map& map);
   void refuseBulge(const Entity& entity, double bulge, const Point& where);
   void addEllipse(const Entity& entity, const Map& map);
@@ -344,7 +344,7 @@ void PieceMaker::addArc(const EllipticArc& arc) {
 void PieceMaker::addPolyline(const Entity& entity, std::span<const Vertex> vertices, const Map& map) {
   const bool closed = (entity.flags & kClosed) != 0;
   const std::size_t repairs = m_read.repairs.size();
-  keepVertices(vertices, closed, map);
+  keepVertices(entity, vertices, closed, map);
   if (m_vertices.size() == 1) { // a piece without length
     m_read.repairs.resize(repairs);
     m_chain.emplace_back(Line{map * m_vertices[0].point, map * m_vertices[0].point});
@@ -359,11 +359,12 @@ void PieceMaker::addPolyline(const Entity& entity, std::span<const Vertex> verti
 }
 
 // Of vertices without a length between them the first stays, and the bulge of the last leads on.
-void PieceMaker::keepVertices(std::span<const Vertex> vertices, bool closed, const Map& map) {
+void PieceMaker::keepVertices(const Entity& entity, std::span<const Vertex> vertices, bool closed, const Map& map) {
   const auto drops = [&](const Vertex& a, const Vertex& b) {
     const double length = (map.linear() * (b.point - a.point)).norm();
     if (length < base::kZeroLength) {
-      m_read.repairs.push_back(Problem(Code::ZeroLengthRemoved, {{"size_mm", length}}).at(map * a.point));
+      m_read.repairs.push_back(
+          Problem(Code::ZeroLengthRemoved, {{"size_mm", length}}).at(map * a.point).onLine(entity.line));
     }
     return length < base::kZeroLength;
   };

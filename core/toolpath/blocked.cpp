@@ -110,9 +110,9 @@ Stretch nearLine(const Track& path, const Line& line, double radius) {
   const Stretch beside = between(middle.dot(normal), path.tangent().dot(normal), -radius, radius);
   const Stretch along = between(middle.dot(direction), path.tangent().dot(direction), 0, length);
   Stretch result{0, 0};
-  for (const Stretch& part : {Stretch{std::max(beside.from, along.from), std::min(beside.to, along.to)},
-                              insideCircle(middle, path.tangent(), radius),
-                              insideCircle(middle - way, path.tangent(), radius)}) {
+  for (const Stretch& part :
+       {Stretch{std::max(beside.from, along.from), std::min(beside.to, along.to)},
+        insideCircle(middle, path.tangent(), radius), insideCircle(middle - way, path.tangent(), radius)}) {
     if (part.from < part.to) {
       const bool isFirst = result.from == result.to;
       result = isFirst ? part : Stretch{std::min(result.from, part.from), std::max(result.to, part.to)};
@@ -121,8 +121,8 @@ Stretch nearLine(const Track& path, const Line& line, double radius) {
   return {std::max(result.from, -path.end()), std::min(result.to, path.end())};
 }
 
-// The border of what is nearer than the radius to a line is two lines beside it and two circles about its ends; those of
-// them that the path may meet inside the disc.
+// The border of what is nearer than the radius to a line is two lines beside it and two circles about its ends; those
+// of them that the path may meet inside the disc.
 void markLine(Marks& marks, const Track& path, const Disc& disc, const Line& line, double radius) {
   const Vector way = line.to - line.from;
   const double length = way.norm();

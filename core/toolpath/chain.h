@@ -13,8 +13,8 @@ struct StartPoint {
 };
 
 /// Where the wheel may start, best first: the middle of the longest line along the contour, then of the next longest,
-/// then of arcs along it, then of what leads round corners. Independent of the drawing's order: lengths within 1 µm count
-/// as equal, then the least Y, then the least X of the middle decides; a full circle starts at its least Y.
+/// then of arcs along it, then of what leads round corners. Independent of the drawing's order: lengths within 1 µm
+/// count as equal, then the least Y, then the least X of the middle decides; a full circle starts at its least Y.
 [[nodiscard]] std::vector<StartPoint> startsOn(const WheelLoop& loop);
 
 /// A place on a contour and how far it is from a given point.

@@ -54,8 +54,7 @@ bool Glass::isOneConvexPane() const {
 }
 
 double Glass::distance(const Point& point, double limit) const {
-  return m_tree.least(point, limit,
-                      [&](std::size_t edge) { return geometry::nearest(m_edges[edge], point).distance; });
+  return m_tree.least(point, limit, [&](std::size_t edge) { return geometry::nearest(m_edges[edge], point).distance; });
 }
 
 double wheelSide(recipe::Direction direction) {

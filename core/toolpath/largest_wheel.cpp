@@ -20,7 +20,8 @@ struct ConcaveEnd {
 };
 
 /// `joint(e)` is the edge before the joint that comes after e on the way, `next(e)` the edge after that.
-template <typename Joint, typename Next> ConcaveEnd concaveEnd(const Glass& glass, EdgeId edge, Joint joint, Next next) {
+template <typename Joint, typename Next>
+ConcaveEnd concaveEnd(const Glass& glass, EdgeId edge, Joint joint, Next next) {
   constexpr int kMostEdges = 1000;
   ConcaveEnd end;
   for (int i = 0; i < kMostEdges; ++i) {
@@ -35,8 +36,8 @@ template <typename Joint, typename Next> ConcaveEnd concaveEnd(const Glass& glas
   return {};
 }
 
-/// Nearer to a concave corner than this share of what the wheel leaves there, nothing is asked of the wheel: curved edges
-/// make the fillet a little larger.
+/// Nearer to a concave corner than this share of what the wheel leaves there, nothing is asked of the wheel: curved
+/// edges make the fillet a little larger.
 constexpr double kSurelyInFillet = 0.9;
 
 class Search {

@@ -13,8 +13,8 @@ struct UntouchedPart {
   Stretch ground;
 };
 
-/// The radius of the largest wheel, mm, below `radius`, that touches all of these parts but the fillets at single concave
-/// corners: found at places along them, so it may be some percent too large where the glass is very uneven.
+/// The radius of the largest wheel, mm, below `radius`, that touches all of these parts but the fillets at single
+/// concave corners: found at places along them, so it may be some percent too large where the glass is very uneven.
 [[nodiscard]] double largestWheel(const Glass& glass, const std::vector<UntouchedPart>& parts, double radius);
 
 } // namespace arris::toolpath

@@ -87,11 +87,10 @@ Problems checkLeads(const Chain& chain, EdgeId first, EdgeId last, const Glass& 
   const Curve& in = chain.segments.front().shape;
   const Curve& out = chain.segments.back().shape;
   Problems problems;
-  for (const std::optional<Problem>& problem :
-       {checkPlunge(geometry::startPoint(in), "go down", first, glass, recipe),
-        checkPlunge(geometry::endPoint(out), "come up", last, glass, recipe),
-        checkLead(in, "lead in", first, glass, recipe),
-        checkLead(geometry::reversed(out), "lead out", last, glass, recipe)}) {
+  for (const std::optional<Problem>& problem : {checkPlunge(geometry::startPoint(in), "go down", first, glass, recipe),
+                                                checkPlunge(geometry::endPoint(out), "come up", last, glass, recipe),
+                                                checkLead(in, "lead in", first, glass, recipe),
+                                                checkLead(geometry::reversed(out), "lead out", last, glass, recipe)}) {
     if (problem) {
       problems.push_back(*problem);
     }

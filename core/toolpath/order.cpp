@@ -58,8 +58,8 @@ private:
   }
 
   const std::vector<Chain>& m_chains;
-  std::map<int, int> m_parents;                       ///< outline in which a cut-out lies, by contour; 0 for outlines
-  std::map<int, int> m_cutOutsLeft;                   ///< chains along cut-outs to come, by outline
+  std::map<int, int> m_parents;                      ///< outline in which a cut-out lies, by contour; 0 for outlines
+  std::map<int, int> m_cutOutsLeft;                  ///< chains along cut-outs to come, by outline
   std::map<int, std::vector<std::size_t>> m_waiting; ///< chains along outlines whose cut-outs are not done
   Tree m_ready;
 };

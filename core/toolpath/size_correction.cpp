@@ -99,7 +99,7 @@ public:
 private:
   struct Edge {
     Curve curve;
-    double atStart = 0, atEnd = 0;   ///< to be prolonged by
+    double atStart = 0, atEnd = 0;                  ///< to be prolonged by
     std::optional<Point> straightTo = std::nullopt; ///< corner that both edges reach straight ahead
   };
 
@@ -118,8 +118,7 @@ private:
         before.atEnd = meeting->before;
         after.atStart = meeting->after;
       } else {
-        const geometry::Evaluation end =
-            geometry::evaluate(before.curve, geometry::parameterLength(before.curve));
+        const geometry::Evaluation end = geometry::evaluate(before.curve, geometry::parameterLength(before.curve));
         before.straightTo = end.point + leg * end.first;
       }
     }

@@ -56,8 +56,7 @@ Candidate candidate(const WheelLoop& loop, std::size_t index) {
   const Step& step = loop.steps[index];
   const double length = geometry::parameterLength(step.path);
   const double along = isFullCircle(step.path) ? leastY(step.path) : length / 2;
-  return {worthOf(step), length, geometry::pointAt(step.path, along),
-          {index, along}};
+  return {worthOf(step), length, geometry::pointAt(step.path, along), {index, along}};
 }
 
 } // namespace

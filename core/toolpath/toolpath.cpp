@@ -40,17 +40,23 @@ Problems checkSpikes(const Glass& glass) {
   return problems;
 }
 
-/// Puts the number of the corner first, so that the sentence can name it.
+/// Names the corner in the sentence too.
+void setCorner(Problem& problem, int id) {
+  problem.corner = id;
+  problem.values.push_back({"corner", std::int64_t{id}});
+}
+
 Problem ofCorner(Code code, const Corner& corner, std::vector<base::Value> values) {
-  values.insert(values.begin(), {"corner", std::int64_t{corner.id}});
-  return Problem(code, std::move(values)).at(corner.s).ofContour(corner.contour).ofCorner(corner.id);
+  Problem problem = Problem(code, std::move(values)).at(corner.s).ofContour(corner.contour);
+  setCorner(problem, corner.id);
+  return problem;
 }
 
 Problems warnings(const Corner& corner, const recipe::Recipe& recipe) {
   Problems problems;
   if (corner.kind == CornerKind::Concave && corner.fillet > base::kContourAccuracy) {
-    problems.push_back(ofCorner(Code::ConcaveFillet, corner,
-                                {{"fillet_mm", corner.fillet}, {"unground_mm", corner.unground}}));
+    problems.push_back(
+        ofCorner(Code::ConcaveFillet, corner, {{"fillet_mm", corner.fillet}, {"unground_mm", corner.unground}}));
   }
   if (corner.treatment != Treatment::Transition) {
     return problems;
@@ -86,8 +92,7 @@ public:
       : m_glass(glass), m_recipe(recipe), m_leads(leads) {}
 
   void addLoops(std::vector<WheelLoop> loops) {
-    const std::size_t withStart =
-        m_recipe.start ? loopOfStart(m_glass, loops, *m_recipe.start) : loops.size();
+    const std::size_t withStart = m_recipe.start ? loopOfStart(m_glass, loops, *m_recipe.start) : loops.size();
     for (std::size_t i = 0; i < loops.size(); ++i) {
       addLoop(std::move(loops[i]), i == withStart);
     }
@@ -132,8 +137,10 @@ private:
   // Where the leads have no room at the best start they may have it elsewhere.
   [[nodiscard]] Traced tracedFromBestStart(const WheelLoop& loop) const {
     constexpr std::size_t kMostTried = 100;
+    constexpr std::size_t kMostSteps = 1'000'000; // traced in all
     const std::vector<StartPoint> starts = startsOn(loop);
-    const std::size_t most = m_leads == Leads::With ? std::min(kMostTried, starts.size()) : 1;
+    const std::size_t most =
+        m_leads == Leads::With ? std::min({kMostTried, starts.size(), 1 + kMostSteps / loop.steps.size()}) : 1;
     Traced first = tracedFrom(loop, starts.front());
     for (std::size_t i = 1; i < most && base::hasErrors(first.problems); ++i) {
       Traced other = tracedFrom(loop, starts[i]);
@@ -159,8 +166,8 @@ private:
   }
 
   static Problem leftOutBecauseOf(const Problems& problems) {
-    Problem problem = *std::find_if(problems.begin(), problems.end(),
-                                    [](const Problem& p) { return p.code == Code::NoLead; });
+    Problem problem =
+        *std::find_if(problems.begin(), problems.end(), [](const Problem& p) { return p.code == Code::NoLead; });
     problem.code = Code::NoLeadAccepted;
     return problem;
   }
@@ -175,8 +182,7 @@ private:
     }
     for (Problem problem : traced.problems) {
       if (problem.corner) {
-        shift(*problem.corner);
-        problem.values.insert(problem.values.begin(), {"corner", std::int64_t{*problem.corner}});
+        setCorner(problem, *problem.corner + before);
       }
       toolpath.problems.push_back(std::move(problem));
     }

@@ -79,8 +79,8 @@ struct Chain {
 };
 
 struct Toolpath {
-  std::vector<Chain> chains;   ///< in the order of machining
-  std::vector<Corner> corners; ///< index = id − 1
+  std::vector<Chain> chains;    ///< in the order of machining
+  std::vector<Corner> corners;  ///< index = id − 1
   std::vector<double> unground; ///< by contour in their given order: length that the wheel does not touch, mm
   base::Problems problems;
 };
@@ -98,9 +98,9 @@ struct CornerFigures {
 
 enum class Leads { With, Without };
 
-/// The wheel path along placed contours: compensation, corners, transitions, start, leads, order. Errors among the problems
-/// mean that it cannot be machined; the chains then hold what could be made of it. Leads::Without is for tests: each
-/// chain then starts and ends at rest at the start point, without overlap.
+/// The wheel path along placed contours: compensation, corners, transitions, start, leads, order. Errors among the
+/// problems mean that it cannot be machined; the chains then hold what could be made of it. Leads::Without is for
+/// tests: each chain then starts and ends at rest at the start point, without overlap.
 [[nodiscard]] Toolpath makeToolpath(const std::vector<pattern::Contour>& placed, const recipe::Recipe& recipe,
                                     Leads leads = Leads::With, const geometry::Point& park = {0, 0});
 

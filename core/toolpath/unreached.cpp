@@ -51,7 +51,8 @@ std::vector<Touched> touchedParts(const Glass& glass, const std::vector<WheelLoo
   addTouched(touched, glass, loops, false);
   addTouched(touched, glass, leftOut, true);
   const auto place = [](const Touched& t) { return std::tuple(t.edge, t.ground.from); };
-  std::stable_sort(touched.begin(), touched.end(), [&](const Touched& a, const Touched& b) { return place(a) < place(b); });
+  std::stable_sort(touched.begin(), touched.end(),
+                   [&](const Touched& a, const Touched& b) { return place(a) < place(b); });
   return touched;
 }
 
@@ -132,8 +133,8 @@ public:
   Unreached find() {
     auto from = m_touched.begin();
     for (const Ring& ring : m_glass.rings()) {
-      const auto to = std::find_if(from, m_touched.end(),
-                                   [&](const Touched& t) { return t.edge >= ring.first + ring.count; });
+      const auto to =
+          std::find_if(from, m_touched.end(), [&](const Touched& t) { return t.edge >= ring.first + ring.count; });
       m_result.unground.push_back(from == to ? wholeRing(ring) : alongRing(from, to));
       from = to;
     }
@@ -198,8 +199,7 @@ private:
       problem.largestWheel = largestWheel(m_glass, parts, m_recipe.wheelRadius);
       problem.values.push_back({"largest_mm", *problem.largestWheel});
     }
-    m_result.problems.push_back(
-        std::move(problem).at(place).ofContour(m_glass.ringOf(parts.front().edge).contour));
+    m_result.problems.push_back(std::move(problem).at(place).ofContour(m_glass.ringOf(parts.front().edge).contour));
   }
 
   const Glass& m_glass;

@@ -36,7 +36,8 @@ std::optional<Point> whatIsInTheWay(const Glass& glass, const Parabola& path, Ed
       return true;
     }
     // The nearest point of the edge to the middle of the transition is near enough to be found.
-    place = geometry::pointAt(edge, geometry::nearest(edge, geometry::pointAt(path, geometry::parameterLength(path) / 2)).lambda);
+    place = geometry::pointAt(
+        edge, geometry::nearest(edge, geometry::pointAt(path, geometry::parameterLength(path) / 2)).lambda);
     return false;
   });
   return place;
@@ -99,8 +100,8 @@ private:
   [[nodiscard]] Corner cornerAfter(const Piece& roll) const {
     const Curve& before = m_glass.edges()[roll.edge];
     const Curve& after = m_glass.edges()[m_glass.next(roll.edge)];
-    Corner corner = classify(geometry::startPoint(after), geometry::endTangent(before), geometry::startTangent(after),
-                             m_recipe);
+    Corner corner =
+        classify(geometry::startPoint(after), geometry::endTangent(before), geometry::startTangent(after), m_recipe);
     corner.contour = m_glass.ringOf(roll.edge).contour;
     corner.a = geometry::startPoint(roll.path); // without a gap
     corner.c = geometry::endPoint(roll.path);

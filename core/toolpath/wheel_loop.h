@@ -13,11 +13,11 @@ inline constexpr int kNoCorner = -1;
 /// One primitive of a closed wheel path and what it does to the glass.
 struct Step {
   geometry::Curve path;
-  Role role = Role::Contour; ///< Contour, Transition or Roll
-  EdgeId edge = 0;           ///< the edge that is ground; of a corner, the edge before it
-  Stretch ground;            ///< which part of the edge (Contour only), mm along the edge
-  int corner = kNoCorner;    ///< whose transition, roll or arc this is: index among the corners of the loop
-  bool stopAtEnd = false;    ///< a kink follows
+  Role role = Role::Contour;  ///< Contour, Transition or Roll
+  EdgeId edge = 0;            ///< the edge that is ground; of a corner, the edge before it
+  Stretch ground;             ///< which part of the edge (Contour only), mm along the edge
+  int corner = kNoCorner;     ///< whose transition, roll or arc this is: index among the corners of the loop
+  bool stopAtEnd = false;     ///< a kink follows
   int stopCorner = kNoCorner; ///< the concave corner to which that kink belongs
 };
 

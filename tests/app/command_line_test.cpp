@@ -110,7 +110,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Usage{"PictureKind", {"plan", kTriangle, "--preview", "a.jpg"}, "--preview"},
                     Usage{"PlotKind", {"plan", kTriangle, "--plot", "plot"}, "--plot"},
                     Usage{"OverTheInput", {"plan", kTriangle, "--gcode", kTriangle}, "--gcode"},
-                    Usage{"TwoOutputsInOne", {"plan", kTriangle, "--gcode", "/tmp/x", "--report", "/tmp/x"}, "--gcode"}),
+                    Usage{
+                        "TwoOutputsInOne", {"plan", kTriangle, "--gcode", "/tmp/x", "--report", "/tmp/x"}, "--gcode"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 class EveryNumberOption : public testing::TestWithParam<recipe::NumberField> {};

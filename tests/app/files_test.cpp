@@ -126,7 +126,7 @@ TEST(RecipeFile, ThatIsMalformedOrOfANewerArrisIsRefused) {
   for (const char* content :
        {"", "{", "[1]", "{}", "{\"arris_recipe\": 2}", "{\"arris_recipe\": 1, \"feed_mm_min\": 0}",
         "{\"arris_recipe\": 1, \"feed_mm_min\": \"fast\"}", "{\"arris_recipe\": 1, \"wheel_radius_mm\": 1e999}",
-        "{\"arris_recipe\": 1, \"smooth_mm\": 0.5}"}) {
+        "{\"arris_recipe\": 1, \"smooth_mm\": 1.5}"}) {
     const Outcome outcome = arris({"plan", kPane, "--recipe", recipeWith(scratch, content)});
     EXPECT_EQ(outcome.status, 2) << content;
     EXPECT_THAT(outcome.err, testing::StartsWith("error: ")) << content;

@@ -50,7 +50,8 @@ std::optional<std::string> objection(const std::string& source, const std::strin
 }
 
 bool translates(const std::string& line) {
-  static const std::regex kCall("(^|[^A-Za-z0-9_])(tr|translate|QT_TR_NOOP|QT_TRANSLATE_NOOP|QT_TR_N_NOOP)\\s*\\(");
+  // Member functions of that name are another matter: Eigen's translate moves.
+  static const std::regex kCall("(^|[^A-Za-z0-9_.])(tr|translate|QT_TR_NOOP|QT_TRANSLATE_NOOP|QT_TR_N_NOOP)\\s*\\(");
   static const std::regex kComment("//.*");
   return std::regex_search(std::regex_replace(line, kComment, ""), kCall);
 }

@@ -54,6 +54,7 @@ TEST(RulesOfTheHouse, OnlyUiTranslates) {
               ElementsAre("app/a.cpp:1: only ui translates", "app/a.cpp:2: only ui translates"));
   EXPECT_THAT(brokenRules("core/base/a.cpp", text, kSmallFlow), testing::SizeIs(2));
   EXPECT_THAT(brokenRules("ui/a.cpp", text, kSmallFlow), IsEmpty());
+  EXPECT_THAT(brokenRules("core/base/a.cpp", "placement.translate(way);\n", kSmallFlow), IsEmpty());
 }
 
 } // namespace

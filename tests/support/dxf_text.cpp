@@ -8,12 +8,12 @@
 #include <cmath>
 
 namespace arris::test {
-Spline bezier(std::vector<geometry::Point> controls, std::vector<double> weights) {
-  Spline spline;
-  spline.degree = static_cast<int>(controls.size()) - 1;
-  spline.knots.assign(controls.size(), 0);
-  spline.knots.insert(spline.knots.end(), controls.size(), 1);
-  spline.controls = std::move(controls);
+geometry::Spline bezier(std::vector<geometry::Point> points, std::vector<double> weights) {
+  geometry::Spline spline;
+  spline.degree = static_cast<int>(points.size()) - 1;
+  spline.knots.assign(points.size(), 0);
+  spline.knots.insert(spline.knots.end(), points.size(), 1);
+  spline.points = std::move(points);
   spline.weights = std::move(weights);
   return spline;
 }
@@ -101,19 +101,19 @@ DxfText& DxfText::addPolyline(const std::vector<geometry::Curve>& closedChain) {
   return *this;
 }
 
-DxfText& DxfText::add(const Spline& spline) {
-  const bool closed = spline.controls.front() == spline.controls.back();
+DxfText& DxfText::add(const geometry::Spline& spline) {
+  const bool closed = spline.points.front() == spline.points.back();
   const int flags = 8 + (closed ? 1 : 0) + (spline.weights.empty() ? 0 : 4); // planar, closed, rational
   addGroups(fmt::format("0 SPLINE\n8 0\n70 {}\n71 {}\n72 {}\n73 {}\n74 0", flags, spline.degree, spline.knots.size(),
-                        spline.controls.size()));
+                        spline.points.size()));
   for (const double knot : spline.knots) {
     addGroups("40 " + number(knot));
   }
   for (const double weight : spline.weights) {
     addGroups("41 " + number(weight));
   }
-  for (const geometry::Point& control : spline.controls) {
-    addGroups(pointGroups(10, control) + "30 0.0");
+  for (const geometry::Point& point : spline.points) {
+    addGroups(pointGroups(10, point) + "30 0.0");
   }
   return *this;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/curve.h"
+#include "core/geometry/spline.h"
 
 #include <cstdint>
 #include <optional>
@@ -10,16 +11,8 @@
 
 namespace arris::test {
 
-/// A B-spline as the entity SPLINE has it: controls + degree + 1 knots; without weights it is not rational.
-struct Spline {
-  int degree = 3;
-  std::vector<geometry::Point> controls;
-  std::vector<double> knots;
-  std::vector<double> weights;
-};
-
-/// The spline that is one Bézier curve: degree + 1 controls.
-[[nodiscard]] Spline bezier(std::vector<geometry::Point> controls, std::vector<double> weights = {});
+/// The spline that is one Bézier curve: degree + 1 points.
+[[nodiscard]] geometry::Spline bezier(std::vector<geometry::Point> points, std::vector<double> weights = {});
 
 /// Builds the text of a small DXF drawing. Numbers have 17 digits, so nothing is lost.
 class DxfText {
@@ -36,7 +29,7 @@ public:
   DxfText& add(const std::vector<geometry::Curve>& curves);
   /// A closed chain as one LWPOLYLINE with bulges.
   DxfText& addPolyline(const std::vector<geometry::Curve>& closedChain);
-  DxfText& add(const Spline& spline);
+  DxfText& add(const geometry::Spline& spline);
   /// The entities of `content` as a block.
   DxfText& block(std::string_view name, const DxfText& content);
   DxfText& insert(std::string_view block, const geometry::Point& at, const geometry::Vector& scale, double degrees = 0);

@@ -59,8 +59,10 @@ std::string readAll(int pipe) {
 
 Outcome inLimitedProcess(unsigned cpuSeconds, unsigned megabytes, const std::function<std::string()>& work) {
   std::array<int, 2> ends{};
+  Outcome outcome;
   if (pipe(ends.data()) != 0) {
-    return {false, "no pipe", {}};
+    outcome.failure = "no pipe";
+    return outcome;
   }
   const pid_t child = fork();
   if (child == 0) {
@@ -68,11 +70,16 @@ Outcome inLimitedProcess(unsigned cpuSeconds, unsigned megabytes, const std::fun
     beTheChild(ends[1], cpuSeconds, megabytes, work);
   }
   close(ends[1]);
-  Outcome outcome;
   outcome.text = readAll(ends[0]);
   close(ends[0]);
   int status = 0;
-  waitpid(child, &status, 0);
+  rusage used{};
+  wait4(child, &status, 0, &used);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  outcome.cpuSeconds = seconds(used.ru_utime) + seconds(used.ru_stime);
+  outcome.peakMegabytes = static_cast<double>(used.ru_maxrss) / 1024;
   outcome.ended = WIFEXITED(status) && WEXITSTATUS(status) == 0;
   if (WIFSIGNALED(status)) {
     outcome.failure = strsignal(WTERMSIG(status));

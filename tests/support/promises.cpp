@@ -150,7 +150,8 @@ Broken brokenProfile(const job::Job& job) {
   double time = 0;
   for (std::size_t i = 0; i < job.pieces.size(); ++i) {
     const motion::Piece& piece = job.pieces[i].motion;
-    const std::array numbers{piece.time, piece.duration, piece.lambda, piece.endLambda, piece.speed, piece.acceleration};
+    const std::array numbers{piece.time,      piece.duration, piece.lambda,
+                             piece.endLambda, piece.speed,    piece.acceleration};
     if (!std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); })) {
       return fmt::format("a number of piece {} is not finite", i);
     }
@@ -189,9 +190,9 @@ recipe::Recipe recipeFor(std::string_view file) {
   recipe.wheelRadius = std::array{75.0, 10.0, 0.5, 500.0}.at(choice & 3U);
   recipe.acceptUnreached = (choice & 4U) != 0;
   recipe.smooth = (choice & 8U) != 0 ? 0 : recipe.smooth;
-  recipe.units = std::array<std::optional<recipe::Units>, 4>{std::nullopt, recipe::Units::Inch, recipe::Units::Metre,
-                                                             std::nullopt}
-                     .at((choice >> 4U) & 3U);
+  recipe.units =
+      std::array<std::optional<recipe::Units>, 4>{std::nullopt, recipe::Units::Inch, recipe::Units::Metre, std::nullopt}
+          .at((choice >> 4U) & 3U);
   recipe.gap = (choice & 64U) != 0 ? 1 : recipe.gap;
   recipe.sizeCorrection = (choice & 128U) != 0 ? 0.5 : 0;
   recipe.direction = (choice & 128U) != 0 ? recipe::Direction::CounterClockwise : recipe::Direction::Clockwise;

@@ -16,7 +16,8 @@ namespace arris::test {
 /// A machine with the longest travel that a machine can have.
 [[nodiscard]] recipe::Machine largeMachine();
 
-// What a user relies on whatever the drawing is: the first promise that is broken, in words; nothing where all are kept.
+// What a user relies on whatever the drawing is: the first promise that is broken, in words; nothing where all are
+// kept.
 
 /// Every problem is told in full and none is internal; what has no errors is closed contours.
 [[nodiscard]] std::optional<std::string> brokenPromise(const pattern::Pattern& pattern);

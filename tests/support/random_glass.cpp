@@ -19,7 +19,7 @@ using geometry::Point;
 using geometry::Vector;
 
 /// A side of a ring: a curve, or the controls of a cubic spline.
-using Side = std::variant<Curve, Spline>;
+using Side = std::variant<Curve, geometry::Spline>;
 using Ring = std::vector<Side>;
 
 /// What a ring is to keep to, mm.
@@ -268,8 +268,8 @@ Side moved(const Side& side, const Eigen::Isometry2d& motion) {
   if (const auto* curve = std::get_if<Curve>(&side)) {
     return geometry::transformed(*curve, motion);
   }
-  Spline spline = std::get<Spline>(side);
-  for (Point& control : spline.controls) {
+  geometry::Spline spline = std::get<geometry::Spline>(side);
+  for (Point& control : spline.points) {
     control = motion * control;
   }
   return spline;
@@ -291,7 +291,7 @@ double clearDisc(const Ring& ring) {
       least = std::min(least, geometry::nearest(*curve, {0, 0}).distance);
       continue;
     }
-    const std::vector<Point>& controls = std::get<Spline>(side).controls;
+    const std::vector<Point>& controls = std::get<geometry::Spline>(side).points;
     for (std::size_t i = 1; i < controls.size(); ++i) {
       least = std::min(least, geometry::nearest(Line{controls[i - 1], controls[i]}, {0, 0}).distance);
     }
@@ -336,7 +336,7 @@ void write(DxfText& dxf, const Ring& ring, bool polyline) {
     if (const auto* curve = std::get_if<Curve>(&side)) {
       curves.push_back(*curve);
     } else {
-      dxf.add(std::get<Spline>(side));
+      dxf.add(std::get<geometry::Spline>(side));
     }
   }
   if (polyline && curves.size() == ring.size() && curves.size() > 1) {

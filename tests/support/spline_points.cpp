@@ -11,7 +11,6 @@ namespace arris::test {
 
 using geometry::Curve;
 using geometry::Point;
-using geometry::Spline;
 
 namespace {
 
@@ -73,7 +72,7 @@ double distanceFrom(const std::function<Point(double)>& curve, const std::vector
 
 } // namespace
 
-Point basisPoint(const Spline& spline, double u) {
+Point basisPoint(const geometry::Spline& spline, double u) {
   Point sum = Point::Zero();
   double weights = 0;
   const auto degree = static_cast<std::size_t>(spline.degree);
@@ -88,12 +87,12 @@ Point basisPoint(const Spline& spline, double u) {
   return sum / weights;
 }
 
-Spline randomSpline(std::uint64_t seed) {
+geometry::Spline randomSpline(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto uniform = [&random](double from, double to) {
     return std::uniform_real_distribution<double>(from, to)(random);
   };
-  Spline spline;
+  geometry::Spline spline;
   spline.degree = 1 + static_cast<int>(random() % 7);
   const auto degree = static_cast<std::size_t>(spline.degree);
   const std::size_t count = degree + 3 + random() % 10;
@@ -121,8 +120,8 @@ Spline randomSpline(std::uint64_t seed) {
   return spline;
 }
 
-Spline circleAsSpline(const Point& center, double radius, int pieces) {
-  Spline spline;
+geometry::Spline circleAsSpline(const Point& center, double radius, int pieces) {
+  geometry::Spline spline;
   spline.degree = 2;
   const double half = base::kPi / pieces;
   for (int i = 0; i <= 2 * pieces; ++i) {

@@ -45,7 +45,7 @@ void CornerBands::draw(QCPPainter* painter) {
   const QCPAxis* time = m_top->axis(QCPAxis::atBottom);
   const double left = m_top->left();
   const double right = m_top->left() + m_top->width();
-  for (const Zone zone : {Zone::Slowing, Zone::Leaving, Zone::Corner}) {
+  for (const Zone zone : {Zone::Away, Zone::Slowing, Zone::Leaving, Zone::Corner}) {
     for (const CornerBand& band : m_bands) {
       const double from = time->coordToPixel(band.from);
       const double to = time->coordToPixel(band.to);
@@ -61,8 +61,9 @@ void CornerBands::drawBand(QCPPainter* painter, const CornerBand& band, double f
   const double top = m_top->top();
   const double bottom = m_bottom->top() + m_bottom->height();
   const bool inCorner = band.zone == Zone::Corner;
-  QColor color = inCorner ? m_style.palette.cornerBand : m_style.palette.phaseBand;
-  if (band.corner == m_selected) {
+  const bool away = band.zone == Zone::Away;
+  QColor color = inCorner ? m_style.palette.cornerBand : away ? m_style.palette.awayBand : m_style.palette.phaseBand;
+  if (band.corner == m_selected && !away) {
     color = color.darker(107);
   }
   painter->fillRect(QRectF(from, top, to - from, bottom - top), color);

@@ -1,6 +1,7 @@
 #include "ui/figures/corner_labels.h"
 
 #include "core/base/numbers.h"
+#include "ui/figures/place_signs.h"
 #include "ui/figures/polyline.h"
 #include "ui/text/quantities.h"
 
@@ -20,6 +21,9 @@ constexpr double kBadgeHeight = 42;
 constexpr double kGap = 10;
 constexpr double kObstacleFlatness = 3;
 constexpr double kMarkRoom = 22;
+
+// With more corners than this in the frame, numbers stand at their corners or not at all, and without angles.
+constexpr std::ptrdiff_t kCrowd = 60;
 
 // What labels must keep clear of.
 struct Obstacles {
@@ -60,10 +64,8 @@ Obstacles obstaclesOf(const Drawing& drawing, const QTransform& toDevice, const 
     }
   }
   const double room = kMarkRoom * style.unit;
-  for (const base::Problem& problem : drawing.problems) {
-    if (problem.where) {
-      result.boxes.push_back(around(toDevice.map(toQt(*problem.where)), room));
-    }
+  for (const PlaceSign& sign : placeSigns(drawing, toDevice, frame, style)) {
+    result.boxes.push_back(around(sign.place, room));
   }
   for (const PathMark& start : drawing.starts) {
     result.boxes.push_back(around(toDevice.map(toQt(start.place)), room));
@@ -71,14 +73,17 @@ Obstacles obstaclesOf(const Drawing& drawing, const QTransform& toDevice, const 
   return result;
 }
 
-CornerLabel labelOf(const CornerMark& mark, const QPointF& anchor, const FigureStyle& style) {
+CornerLabel labelOf(const CornerMark& mark, const QPointF& anchor, bool crowded, const FigureStyle& style) {
   const double height = kBadgeHeight * style.unit;
   const QFontMetricsF number(style.font(kSmallTextHeight, true));
   const QFontMetricsF text(style.font(kTextHeight));
-  CornerLabel label{mark.id, anchor, {}, {}, angleText(mark.angle, style.locale)};
+  CornerLabel label{mark.id, anchor, {}, {}, crowded ? QString() : angleText(mark.angle, style.locale)};
   label.badge =
       QRectF(0, 0, std::max(height, number.horizontalAdvance(QString::number(mark.id)) + 0.5 * height), height);
-  label.box = label.badge.adjusted(0, 0, text.horizontalAdvance(label.angle) + 0.25 * height, 0);
+  label.box = label.badge;
+  if (!crowded) {
+    label.box.adjust(0, 0, text.horizontalAdvance(label.angle) + 0.25 * height, 0);
+  }
   return label;
 }
 
@@ -98,9 +103,10 @@ double reach(const QRectF& box, const QPointF& direction) {
 }
 
 // Between corner and wheel path where there is room, else beyond the path, else inside the glass; straight out first,
-// then turned to either side.
+// then turned to either side. Among a crowd only what is next to the corner.
 std::vector<QPointF> candidates(const CornerMark& mark, const CornerLabel& label, const QTransform& toDevice,
-                                const FigureStyle& style) {
+                                bool crowded, const FigureStyle& style) {
+  const auto steps = [crowded](std::vector<double> all) { return crowded ? std::vector{all.front()} : all; };
   const double scale = std::hypot(toDevice.m11(), toDevice.m12());
   const double free = mark.clearance * scale;
   const double gap = kGap * style.unit;
@@ -118,13 +124,13 @@ std::vector<QPointF> candidates(const CornerMark& mark, const CornerLabel& label
       result.push_back(label.anchor + free / 2 * direction);
     }
   }
-  for (const double further : {2.0, 8.0, 14.0}) {
+  for (const double further : steps({2.0, 8.0, 14.0})) {
     for (const double degrees : {0.0, 35.0, -35.0, 70.0, -70.0}) {
       const QPointF direction = turned(degrees);
       result.push_back(label.anchor + (free + reach(label.box, direction) + further * gap) * direction);
     }
   }
-  for (const double further : {3.0, 9.0}) {
+  for (const double further : steps({3.0, 9.0})) {
     for (const double degrees : {180.0, 150.0, 210.0}) {
       const QPointF direction = turned(degrees);
       result.push_back(label.anchor + (reach(label.box, direction) + further * gap) * direction);
@@ -134,10 +140,11 @@ std::vector<QPointF> candidates(const CornerMark& mark, const CornerLabel& label
 }
 
 std::optional<CornerLabel> placed(const CornerMark& mark, CornerLabel label, const Obstacles& obstacles,
-                                  const QTransform& toDevice, const QRectF& frame, const FigureStyle& style) {
+                                  const QTransform& toDevice, const QRectF& frame, bool crowded,
+                                  const FigureStyle& style) {
   std::optional<CornerLabel> best;
   int fewest = 0;
-  for (const QPointF& center : candidates(mark, label, toDevice, style)) {
+  for (const QPointF& center : candidates(mark, label, toDevice, crowded, style)) {
     moveTo(label, center);
     if (!frame.contains(label.box) || obstacles.covered(label.box)) {
       continue;
@@ -159,10 +166,13 @@ std::optional<CornerLabel> placed(const CornerMark& mark, CornerLabel label, con
 std::vector<CornerLabel> placeCornerLabels(const Drawing& drawing, const QTransform& toDevice, const QRectF& frame,
                                            const FigureStyle& style) {
   Obstacles obstacles = obstaclesOf(drawing, toDevice, frame, style);
+  const auto shown = std::count_if(drawing.corners.begin(), drawing.corners.end(),
+                                   [&](const CornerMark& mark) { return frame.contains(toDevice.map(toQt(mark.s))); });
+  const bool crowded = shown > kCrowd;
   std::vector<CornerLabel> result;
   for (const CornerMark& mark : drawing.corners) {
     const QPointF anchor = toDevice.map(toQt(mark.s));
-    const auto label = placed(mark, labelOf(mark, anchor, style), obstacles, toDevice, frame, style);
+    const auto label = placed(mark, labelOf(mark, anchor, crowded, style), obstacles, toDevice, frame, crowded, style);
     if (label) {
       const double gap = kGap / 2 * style.unit;
       obstacles.boxes.push_back(label->box.adjusted(-gap, -gap, gap, gap));

@@ -119,13 +119,22 @@ void addLoose(Drawing& drawing, const Curve& piece) {
   drawing.box.extend(geometry::bounds(piece));
 }
 
-void addProblems(Drawing& drawing, const base::Problems& problems) {
+void extendByPlaces(Drawing& drawing, const base::Problems& problems) {
   for (const base::Problem& problem : problems) {
-    drawing.problems.push_back(problem);
     if (problem.where) {
       drawing.box.extend(*problem.where);
     }
   }
+}
+
+void addProblems(Drawing& drawing, base::Problems problems) {
+  extendByPlaces(drawing, problems);
+  drawing.problems = std::move(problems);
+}
+
+void addRepairs(Drawing& drawing, base::Problems repairs) {
+  extendByPlaces(drawing, repairs);
+  drawing.repairs = std::move(repairs);
 }
 
 int piecesFor(const Curve& curve, double tolerance) {
@@ -153,6 +162,9 @@ Drawing drawingOf(const job::Job& job) {
   }
   for (const toolpath::Corner& corner : job.toolpath.corners) {
     drawing.corners.push_back(markOf(corner));
+    if (corner.treatment == toolpath::Treatment::Stop) {
+      drawing.stops.push_back(corner.a);
+    }
   }
   addSpeedMarks(drawing, job);
   addProblems(drawing, job.problems);
@@ -164,7 +176,7 @@ Drawing drawingOf(const job::Job& job, const pattern::Pattern& planned) {
   for (const Curve& piece : planned.loose) {
     addLoose(drawing, transformed(piece, job.placement.motion));
   }
-  addProblems(drawing, job::placed(planned.repairs, job.placement));
+  addRepairs(drawing, job::placed(planned.repairs, job.placement));
   return drawing;
 }
 
@@ -175,7 +187,7 @@ Drawing drawingOf(const pattern::Pattern& pattern) {
     addLoose(drawing, piece);
   }
   addProblems(drawing, pattern.problems);
-  addProblems(drawing, pattern.repairs);
+  addRepairs(drawing, pattern.repairs);
   return drawing;
 }
 

@@ -39,11 +39,13 @@ struct Drawing {
   std::vector<pattern::Contour> contours; ///< closed; the glass lies between outlines and cut-outs
   std::vector<Trace> traces;
   std::vector<CornerMark> corners;
-  std::vector<PathMark> speedMarks; ///< P_d and P_a: braking before a corner begins, accelerating after it ends
-  std::vector<PathMark> starts;     ///< where the wheel comes onto each contour
-  std::vector<geometry::Point> ups; ///< where it goes down and comes up again
-  double wheelRadius = 0;           ///< mm; 0: no wheel to show
+  std::vector<PathMark> speedMarks;   ///< P_d and P_a: braking before a corner begins, accelerating after it ends
+  std::vector<PathMark> starts;       ///< where the wheel comes onto each contour
+  std::vector<geometry::Point> ups;   ///< where it goes down and comes up again
+  std::vector<geometry::Point> stops; ///< where it stops in a concave corner
+  double wheelRadius = 0;             ///< mm; 0: no wheel to show
   base::Problems problems;
+  base::Problems repairs;              ///< what was repaired in the drawing, all of it notes
   geometry::Box box;                   ///< of all but rapids and travel
   std::optional<geometry::Box> travel; ///< of the wheel's centre
 };

@@ -23,7 +23,7 @@ QString words(TraceKind kind) {
   case TraceKind::Transition:
     return QCoreApplication::translate("Legend", "Corner transition");
   case TraceKind::Roll:
-    return QCoreApplication::translate("Legend", "Roll round a corner");
+    return QCoreApplication::translate("Legend", "Roll or arc at a corner");
   case TraceKind::Lead:
     return QCoreApplication::translate("Legend", "Lead-in, lead-out");
   case TraceKind::Rapid:
@@ -61,6 +61,40 @@ LegendEntry upEntry() {
           }};
 }
 
+LegendEntry stopEntry() {
+  return {QCoreApplication::translate("Legend", "Stop in a concave corner"),
+          [](QPainter& painter, const QPointF& left, const FigureStyle& style) {
+            paintLine(painter, left, penOf(TraceKind::Path, style), style);
+            paintStop(painter, middle(left, style), style);
+          }};
+}
+
+QString words(base::Severity severity) {
+  switch (severity) {
+  case base::Severity::Error:
+    return QCoreApplication::translate("Legend", "Error");
+  case base::Severity::Warning:
+    return QCoreApplication::translate("Legend", "Warning");
+  case base::Severity::Note:
+    return QCoreApplication::translate("Legend", "Note, repair");
+  }
+  return {};
+}
+
+LegendEntry signEntry(base::Severity severity) {
+  return {words(severity), [severity](QPainter& painter, const QPointF& left, const FigureStyle& style) {
+            paintSign(painter, middle(left, style), severity, style);
+          }};
+}
+
+bool hasPlaceFor(const Drawing& drawing, base::Severity severity) {
+  const auto fits = [severity](const base::Problem& problem) {
+    return problem.where && base::severityOf(problem) == severity;
+  };
+  return std::any_of(drawing.problems.begin(), drawing.problems.end(), fits) ||
+         std::any_of(drawing.repairs.begin(), drawing.repairs.end(), fits);
+}
+
 LegendEntry travelEntry() {
   return {QCoreApplication::translate("Legend", "Travel of the machine"),
           [](QPainter& painter, const QPointF& left, const FigureStyle& style) {
@@ -94,8 +128,16 @@ std::vector<LegendEntry> legendOf(const Drawing& drawing) {
   if (!drawing.ups.empty()) {
     entries.push_back(upEntry());
   }
+  if (!drawing.stops.empty()) {
+    entries.push_back(stopEntry());
+  }
   if (!drawing.speedMarks.empty()) {
     entries.push_back(speedEntry());
+  }
+  for (const base::Severity severity : {base::Severity::Error, base::Severity::Warning, base::Severity::Note}) {
+    if (hasPlaceFor(drawing, severity)) {
+      entries.push_back(signEntry(severity));
+    }
   }
   if (drawing.travel) {
     entries.push_back(travelEntry());

@@ -1,6 +1,7 @@
 #include "ui/figures/drawing_painter.h"
 
 #include "core/base/numbers.h"
+#include "ui/figures/place_signs.h"
 #include "ui/figures/polyline.h"
 
 #include <QPainter>
@@ -19,6 +20,7 @@ constexpr double kArrowLength = 24;
 constexpr double kArrowHalfWidth = 9;
 constexpr double kSpeedMarkHalf = 14;
 constexpr double kUpRadius = 8;
+constexpr double kStopHalf = 6;
 constexpr double kSignSize = 17;
 constexpr double kFlatness = 0.5;
 
@@ -53,7 +55,7 @@ public:
   void paintTravel();
   void paintTraces();
   void paintMarks();
-  void paintProblems();
+  void paintFindings();
 
 private:
   void paintTrace(const Trace& trace);
@@ -179,6 +181,12 @@ void DrawingPainter::paintMarks() {
       paintUp(m_painter, place, m_style);
     }
   }
+  for (const geometry::Point& stop : m_drawing.stops) {
+    const QPointF place = m_toDevice.map(toQt(stop));
+    if (m_frame.contains(place)) {
+      paintStop(m_painter, place, m_style);
+    }
+  }
 }
 
 // Drawn small, the leads would vanish under their signs.
@@ -189,19 +197,8 @@ bool DrawingPainter::hidesStart(const QPointF& place) const {
   });
 }
 
-void DrawingPainter::paintProblems() {
-  // The worst on top.
-  for (const base::Severity severity : {base::Severity::Note, base::Severity::Warning, base::Severity::Error}) {
-    for (const base::Problem& problem : m_drawing.problems) {
-      if (!problem.where || base::severityOf(problem) != severity) {
-        continue;
-      }
-      const QPointF place = m_toDevice.map(toQt(*problem.where));
-      if (m_frame.contains(place)) {
-        paintSign(m_painter, place, severity, m_style);
-      }
-    }
-  }
+void DrawingPainter::paintFindings() {
+  paintSigns(m_painter, placeSigns(m_drawing, m_toDevice, m_frame, m_style), m_style);
 }
 
 } // namespace
@@ -272,6 +269,13 @@ void paintUp(QPainter& painter, const QPointF& place, const FigureStyle& style) 
   painter.drawEllipse(place, kUpRadius * style.unit, kUpRadius * style.unit);
 }
 
+void paintStop(QPainter& painter, const QPointF& place, const FigureStyle& style) {
+  const double half = kStopHalf * style.unit;
+  painter.setPen(style.pen(style.palette.path, kLine));
+  painter.setBrush(style.palette.paper);
+  painter.drawRect(QRectF(place.x() - half, place.y() - half, 2 * half, 2 * half));
+}
+
 void paintSpeedMark(QPainter& painter, const QPointF& place, const QPointF& along, const FigureStyle& style) {
   const QPointF across(-along.y() * kSpeedMarkHalf * style.unit, along.x() * kSpeedMarkHalf * style.unit);
   painter.setPen(style.pen(style.palette.path, kLine));
@@ -285,7 +289,7 @@ void paintDrawing(QPainter& painter, const Drawing& drawing, const QTransform& t
   parts.paintTravel();
   parts.paintTraces();
   parts.paintMarks();
-  parts.paintProblems();
+  parts.paintFindings();
 }
 
 } // namespace arris::ui

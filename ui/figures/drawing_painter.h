@@ -31,6 +31,9 @@ void paintStart(QPainter& painter, const QPointF& place, const QPointF& along, c
 /// Where the wheel goes down or comes up.
 void paintUp(QPainter& painter, const QPointF& place, const FigureStyle& style);
 
+/// Where the wheel stops in a concave corner.
+void paintStop(QPainter& painter, const QPointF& place, const FigureStyle& style);
+
 /// Where braking before a corner begins or accelerating after it ends.
 void paintSpeedMark(QPainter& painter, const QPointF& place, const QPointF& along, const FigureStyle& style);
 

@@ -17,7 +17,8 @@ struct PreviewTitle {
 [[nodiscard]] PreviewTitle previewTitle(const pattern::Pattern& pattern, const QString& file);
 
 /// A page of A4 with the drawing true to a round scale: glass, wheel path, transitions, numbered corners, leads,
-/// direction, problems; axes in mm, legend and title block. Numbers with a decimal point. After the paper's Figure 9a.
+/// direction, findings at their places and in words; axes in mm, legend and title block. Numbers with a decimal point.
+/// After the paper's Figure 9a.
 [[nodiscard]] Figure previewFigure(Drawing drawing, PreviewTitle title);
 
 } // namespace arris::ui

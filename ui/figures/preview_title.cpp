@@ -3,6 +3,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace arris::ui {
 namespace {
 
@@ -19,15 +21,29 @@ geometry::Box paneBox(const std::vector<pattern::Contour>& contours) {
   return box;
 }
 
+qsizetype countOf(const std::vector<pattern::Contour>& contours, pattern::ContourKind kind) {
+  return std::count_if(contours.begin(), contours.end(),
+                       [kind](const pattern::Contour& contour) { return contour.kind == kind; });
+}
+
 class TitleLines {
   Q_DECLARE_TR_FUNCTIONS(PreviewPage)
 
 public:
+  static QString contours(const std::vector<pattern::Contour>& contours);
   static QString pane(const job::Job& job);
+  static QString parts(const job::Job& job);
   static QString values(const job::Job& job);
   static QString times(const job::Job& job);
   static QString imported(const pattern::Pattern& pattern);
 };
+
+QString TitleLines::contours(const std::vector<pattern::Contour>& contours) {
+  return tr("Contours: %1 (outlines %2, cut-outs %3)")
+      .arg(contours.size())
+      .arg(countOf(contours, pattern::ContourKind::Outline))
+      .arg(countOf(contours, pattern::ContourKind::CutOut));
+}
 
 QString TitleLines::pane(const job::Job& job) {
   const QLocale c = QLocale::c();
@@ -38,8 +54,11 @@ QString TitleLines::pane(const job::Job& job) {
   QString line = tr("Pane %1, lower left at X %2, Y %3")
                      .arg(sizeText(box, c), numberText(box.min().x(), 1, c), numberText(box.min().y(), 1, c));
   line += QStringLiteral(" · ") + tr("glass %1 mm").arg(numberText(job.recipe.thickness, 2, c));
-  line += QStringLiteral(" · ") + tr("corners: %1").arg(job.toolpath.corners.size());
   return line;
+}
+
+QString TitleLines::parts(const job::Job& job) {
+  return contours(job.contours) + QStringLiteral(" · ") + tr("corners: %1").arg(job.toolpath.corners.size());
 }
 
 QString TitleLines::values(const job::Job& job) {
@@ -67,7 +86,7 @@ QString TitleLines::times(const job::Job& job) {
 
 QString TitleLines::imported(const pattern::Pattern& pattern) {
   const geometry::Box box = paneBox(pattern.contours);
-  QString line = tr("Contours: %1").arg(pattern.contours.size());
+  QString line = contours(pattern.contours);
   if (!box.isEmpty()) {
     line += QStringLiteral(" · ") + sizeText(box, QLocale::c());
   }
@@ -80,7 +99,7 @@ QString TitleLines::imported(const pattern::Pattern& pattern) {
 } // namespace
 
 PreviewTitle previewTitle(const job::Job& job, const QString& file) {
-  return {file, {TitleLines::pane(job), TitleLines::values(job), TitleLines::times(job)}};
+  return {file, {TitleLines::pane(job), TitleLines::parts(job), TitleLines::values(job), TitleLines::times(job)}};
 }
 
 PreviewTitle previewTitle(const pattern::Pattern& pattern, const QString& file) {

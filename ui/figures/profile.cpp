@@ -45,21 +45,43 @@ std::pair<std::size_t, std::size_t> workRows(const ProfileColumns& columns) {
           static_cast<std::size_t>(columns.contour.rend() - last)};
 }
 
-std::vector<CornerBand> bandsOf(const ProfileColumns& columns) {
+// What a row of the profile belongs to: the zone of a corner, or the way from a contour to the next.
+CornerBand bandAt(const ProfileColumns& columns, std::size_t row) {
+  if (columns.contour[row] == 0) {
+    return {0, Zone::Away};
+  }
+  return {columns.corner[row], columns.corner[row] != 0 ? columns.zone[row] : Zone::None};
+}
+
+// A stop has no time of its own: it lies where braking ends.
+std::vector<CornerBand> withStops(const std::vector<CornerBand>& bands) {
+  std::vector<CornerBand> result;
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    result.push_back(bands[i]);
+    const bool stops = bands[i].zone == Zone::Slowing && i + 1 < bands.size() && bands[i + 1].zone == Zone::Leaving &&
+                       bands[i + 1].corner == bands[i].corner;
+    if (stops) {
+      result.push_back({bands[i].corner, Zone::Corner, bands[i].to, bands[i].to});
+    }
+  }
+  return result;
+}
+
+std::vector<CornerBand> bandsOf(const ProfileColumns& columns, std::size_t first, std::size_t end) {
   std::vector<CornerBand> bands;
   bool running = false;
-  for (std::size_t i = 0; i < columns.time.size(); ++i) {
-    const bool inZone = columns.corner[i] != 0 && columns.zone[i] != Zone::None;
-    const bool same = running && bands.back().corner == columns.corner[i] && bands.back().zone == columns.zone[i];
+  for (std::size_t i = first; i < end; ++i) {
+    const CornerBand here = bandAt(columns, i);
+    const bool same = running && bands.back().corner == here.corner && bands.back().zone == here.zone;
     if (running) {
       bands.back().to = columns.time[i]; // up to where the next begins
     }
-    if (inZone && !same) {
-      bands.push_back({columns.corner[i], columns.zone[i], columns.time[i], columns.time[i]});
+    running = here.zone != Zone::None;
+    if (running && !same) {
+      bands.push_back({here.corner, here.zone, columns.time[i], columns.time[i]});
     }
-    running = inZone;
   }
-  return bands;
+  return withStops(bands);
 }
 
 // The distance is of interest while the wheel passes the corner; the ways there and back would only stretch the axis.
@@ -184,7 +206,7 @@ ProfileCurves curvesOf(const ProfileColumns& columns, const QString& name) {
   const auto [first, end] = workRows(columns);
   curves.workFrom = columns.time[first];
   curves.workTo = columns.time[end - 1];
-  curves.bands = bandsOf(columns);
+  curves.bands = bandsOf(columns, first, end);
   for (int i = 0; i < kPanelCount; ++i) {
     const auto at = static_cast<std::size_t>(i);
     curves.panels[at] = curveOf(columns, static_cast<Panel>(i));

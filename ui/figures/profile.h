@@ -16,8 +16,8 @@
 
 namespace arris::ui {
 
-/// What a moment of a profile has to do with a corner.
-enum class Zone : std::uint8_t { None, Slowing, Corner, Leaving };
+/// What a moment of a profile has to do with a corner; Away: on the way from one contour to the next.
+enum class Zone : std::uint8_t { None, Slowing, Corner, Leaving, Away };
 
 /// The zone of a `phase` as the profile files spell it.
 [[nodiscard]] Zone zoneOf(std::string_view phase);
@@ -58,7 +58,7 @@ struct ProfileLimits {
 enum class Panel { SpeedX, SpeedY, AccelerationX, AccelerationY, Speed, Distance };
 inline constexpr int kPanelCount = 6;
 
-/// The time over which one zone of one corner lasts, s.
+/// The time over which one zone of one corner lasts, s; no time at all for a corner where the wheel only stops.
 struct CornerBand {
   int corner = 0;
   Zone zone = Zone::None;

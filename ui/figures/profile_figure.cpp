@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace arris::ui {
 namespace {
 
@@ -98,6 +100,10 @@ void ProfilePage::paintLegend(const std::vector<ProfileCurves>& profiles) {
   }
   paintEntry(x, tr("Corner with its angle: from A to C"), band(m_style.palette.cornerBand, true));
   paintEntry(x, tr("Braking before, accelerating after"), band(m_style.palette.phaseBand, false));
+  const std::vector<CornerBand> bands = profiles.empty() ? std::vector<CornerBand>() : profiles.front().bands;
+  if (std::any_of(bands.begin(), bands.end(), [](const CornerBand& b) { return b.zone == Zone::Away; })) {
+    paintEntry(x, tr("Between contours"), band(m_style.palette.awayBand, false));
+  }
   paintEntry(x, tr("Limit, feed, wheel radius R"), line(limitPen(m_style)));
   paintEntry(x, tr("R + depth at the tip"), line(reliefPen(m_style)));
 }

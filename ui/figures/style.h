@@ -30,6 +30,7 @@ struct Palette {
   QColor distance = QColor(0x8a3d74);
   QColor cornerBand = QColor(0xfdeee1);
   QColor phaseBand = QColor(0xeaedef);
+  QColor awayBand = QColor(0xd7dcdf); ///< what is not grinding
 };
 
 /// How large and in whose numbers a figure is drawn. A figure's unit is 0.1 mm on paper; on a screen it is a share of a

@@ -65,7 +65,7 @@ QString CornerModel::text(const toolpath::Corner& corner, int column) const {
   case Time:
     return ofTransition(corner.blendTime, 2);
   case Widest:
-    return fixedText(corner.widest, 2, locale);
+    return corner.kind == toolpath::CornerKind::Concave ? QStringLiteral("–") : fixedText(corner.widest, 2, locale);
   case Relief:
     return reliefText(corner);
   default:

@@ -1,7 +1,6 @@
 #include "ui/models/problem_model.h"
 
 #include "ui/text/problem_texts.h"
-#include "ui/text/quantities.h"
 #include "ui/widgets/signs.h"
 
 #include <algorithm>
@@ -14,6 +13,10 @@ void ProblemModel::setPlan(const PlanPointer& plan) {
   std::stable_sort(m_problems.begin(), m_problems.end(), [](const base::Problem& a, const base::Problem& b) {
     return base::severityOf(a) < base::severityOf(b);
   });
+  m_firstRepair = static_cast<int>(m_problems.size());
+  if (plan) {
+    m_problems.insert(m_problems.end(), plan->drawing.repairs.begin(), plan->drawing.repairs.end());
+  }
   endResetModel();
 }
 
@@ -43,16 +46,8 @@ QVariant ProblemModel::data(const QModelIndex& index, int role) const {
   if (role != Qt::DisplayRole) {
     return {};
   }
-  QString place;
-  if (problem.line) {
-    place = tr("(line %1 of the file)").arg(*problem.line);
-  } else if (problem.where) {
-    place = tr("(at X %1, Y %2 mm)")
-                .arg(fixedText(problem.where->x(), 1, QLocale()), fixedText(problem.where->y(), 1, QLocale()));
-  }
-  return tr("%1: %2 %3")
-      .arg(severityText(severity), problemText(problem, QLocale()), place.replace(QLatin1Char(' '), QChar::Nbsp))
-      .trimmed();
+  const QString kind = index.row() < m_firstRepair ? severityText(severity) : tr("Repaired");
+  return tr("%1: %2 %3").arg(kind, problemText(problem, QLocale()), placeText(problem, QLocale())).trimmed();
 }
 
 } // namespace arris::ui

@@ -6,7 +6,7 @@
 
 namespace arris::ui {
 
-/// The problems of a plan in words, the worst first; repairs of the drawing come last, as notes.
+/// The problems of a plan in words, the worst first; repairs of the drawing come last.
 class ProblemModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -25,6 +25,7 @@ public:
 
 private:
   base::Problems m_problems;
+  int m_firstRepair = 0; // row
 };
 
 } // namespace arris::ui

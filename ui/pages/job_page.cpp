@@ -67,7 +67,7 @@ JobPage::JobPage(Planner& planner, QWidget* parent)
   m_split->addWidget(m_findings);
   m_split->setChildrenCollapsible(false);
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 6, 6, 6);
+  layout->setContentsMargins(0, 4, 6, 4);
   layout->setSpacing(0);
   layout->addWidget(m_recipe);
   layout->addWidget(m_split, 1);

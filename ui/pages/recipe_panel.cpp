@@ -4,12 +4,16 @@
 #include "ui/text/quantities.h"
 #include "ui/widgets/number_edit.h"
 
+#include <QButtonGroup>
+#include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace arris::ui {
 namespace {
@@ -17,6 +21,10 @@ namespace {
 // In the order of the paper's man–machine interface.
 constexpr std::array<std::string_view, 7> kKeys{"wheel_radius_mm", "accel_x_mm_s2", "accel_y_mm_s2", "thickness_mm",
                                                 "depth_mm",        "feed_mm_min",   "spindle_r_min"};
+
+// What concerns the pane; the operator's first.
+constexpr std::array<std::string_view, 5> kPaneKeys{"size_correction_mm", "lead_mm", "overlap_mm", "rotate_deg",
+                                                    "smooth_mm"};
 
 constexpr int kComplaintLines = 6;
 
@@ -40,31 +48,81 @@ double rimSpeed(const recipe::Recipe& recipe) {
 
 RecipePanel::RecipePanel(const recipe::Recipe& recipe, const recipe::Machine& machine, QWidget* parent)
     : QWidget(parent), m_recipe(recipe), m_open(new QPushButton(tr("&Open pattern…"))), m_pattern(new QLabel),
-      m_rimSpeed(new QLabel), m_complaint(new QLabel) {
+      m_pages(new QStackedWidget), m_rimSpeed(new QLabel), m_complaint(new QLabel) {
   m_open->setObjectName(QStringLiteral("open"));
   m_open->setShortcut(QKeySequence::Open);
   m_complaint->setObjectName(QStringLiteral("complaint"));
   m_complaint->setWordWrap(true);
   m_complaint->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   m_complaint->setMinimumHeight(kComplaintLines * fontMetrics().lineSpacing()); // nothing jumps when it fills
+  QWidget* grinding = makePage(kKeys, machine);
+  grinding->layout()->addWidget(m_rimSpeed);
+  QWidget* pane = makePage(kPaneKeys, machine);
+  pane->layout()->addWidget(makeAcceptUnreached());
+  for (QWidget* page : {grinding, pane}) {
+    static_cast<QVBoxLayout*>(page->layout())->addStretch(1);
+    m_pages->addWidget(page);
+  }
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 0, 8, 0);
-  layout->setSpacing(4);
+  layout->setSpacing(2);
   layout->addWidget(m_open);
   layout->addWidget(m_pattern);
-  for (const std::string_view key : kKeys) {
+  layout->addWidget(makePages());
+  layout->addWidget(m_pages);
+  layout->addWidget(m_complaint, 1);
+  connect(m_open, &QPushButton::clicked, this, &RecipePanel::openRequested);
+  setPatternName({});
+  showRimSpeed();
+}
+
+// Which of the two pages is shown.
+QWidget* RecipePanel::makePages() {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  auto* group = new QButtonGroup(this);
+  const std::array<std::pair<QString, QString>, 2> pages{
+      {{tr("Grinding"), QStringLiteral("showGrinding")}, {tr("Pane"), QStringLiteral("showPane")}}};
+  for (int i = 0; i < 2; ++i) {
+    const auto& [text, name] = pages.at(static_cast<std::size_t>(i));
+    auto* button = new QPushButton(text);
+    button->setObjectName(name);
+    button->setCheckable(true);
+    button->setChecked(i == 0);
+    group->addButton(button, i);
+    layout->addWidget(button, 1);
+  }
+  connect(group, &QButtonGroup::idClicked, m_pages, &QStackedWidget::setCurrentIndex);
+  return row;
+}
+
+QWidget* RecipePanel::makePage(std::span<const std::string_view> keys, const recipe::Machine& machine) {
+  auto* page = new QWidget;
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  for (const std::string_view key : keys) {
     const recipe::NumberField& field = fieldOf(key);
-    auto* edit = new NumberEdit(field, mostOn(field, machine), recipe.*field.member);
+    auto* edit = new NumberEdit(field, mostOn(field, machine), m_recipe.*field.member);
     m_fields.push_back(edit);
     layout->addWidget(edit);
     connect(edit, &NumberEdit::valueChanged, this, [this, edit] { take(*edit); });
     connect(edit, &NumberEdit::complaintChanged, this, &RecipePanel::showComplaint);
   }
-  layout->addWidget(m_rimSpeed);
-  layout->addWidget(m_complaint, 1);
-  connect(m_open, &QPushButton::clicked, this, &RecipePanel::openRequested);
-  setPatternName({});
-  showRimSpeed();
+  return page;
+}
+
+QCheckBox* RecipePanel::makeAcceptUnreached() {
+  auto* accept = new QCheckBox(tr("Leave unground what\nthe wheel cannot reach"));
+  accept->setObjectName(QStringLiteral("accept_unreached"));
+  accept->setChecked(m_recipe.acceptUnreached);
+  connect(accept, &QCheckBox::toggled, this, [this](bool on) {
+    m_recipe.acceptUnreached = on;
+    Q_EMIT recipeChanged(m_recipe);
+  });
+  return accept;
 }
 
 void RecipePanel::setPatternName(const QString& name) {

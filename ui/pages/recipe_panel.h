@@ -4,18 +4,21 @@
 
 #include <QWidget>
 
+#include <span>
 #include <string_view>
 #include <vector>
 
+class QCheckBox;
 class QLabel;
 class QPushButton;
+class QStackedWidget;
 
 namespace arris::ui {
 
 class NumberEdit;
 
-/// The operator's values: the pattern, and the fields of the paper's man–machine interface. Only values that are valid
-/// leave it.
+/// The operator's values: the pattern, the fields of the paper's man–machine interface, and on a second page what
+/// concerns the pane. Only values that are valid leave it.
 class RecipePanel : public QWidget {
   Q_OBJECT
 
@@ -37,6 +40,9 @@ Q_SIGNALS:
   void openRequested();
 
 private:
+  QWidget* makePages();
+  QWidget* makePage(std::span<const std::string_view> keys, const recipe::Machine& machine);
+  QCheckBox* makeAcceptUnreached();
   void take(const NumberEdit& field);
   void showComplaint();
   void showRimSpeed();
@@ -44,6 +50,7 @@ private:
   recipe::Recipe m_recipe;
   QPushButton* m_open;
   QLabel* m_pattern;
+  QStackedWidget* m_pages;
   std::vector<NumberEdit*> m_fields;
   QLabel* m_rimSpeed;
   QLabel* m_complaint;

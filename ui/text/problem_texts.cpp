@@ -1,5 +1,7 @@
 #include "ui/text/problem_texts.h"
 
+#include "ui/text/quantities.h"
+
 #include <QCoreApplication>
 #include <QRegularExpression>
 
@@ -168,7 +170,7 @@ const std::vector<const char*>& problemWords() {
       QT_TRANSLATE_NOOP("ProblemWord", "Is a directory"),
       QT_TRANSLATE_NOOP("ProblemWord", "Input/output error"),
       QT_TRANSLATE_NOOP("ProblemWord", "it holds NUL bytes"),
-      QT_TRANSLATE_NOOP("ProblemWord", "it is a DWG drawing; save it as ASCII DXF"),
+      QT_TRANSLATE_NOOP("ProblemWord", "it is a DWG drawing; save it as DXF"),
       QT_TRANSLATE_NOOP("ProblemWord", "it is UTF-16 text; save it as ASCII DXF"),
       QT_TRANSLATE_NOOP("ProblemWord", "it begins with {} and not with a group code"),
       QT_TRANSLATE_NOOP("ProblemWord", "an empty line"),
@@ -262,6 +264,21 @@ QString problemText(const base::Problem& problem, const QLocale& locale) {
     }
   }
   return result + text.mid(done);
+}
+
+QString placeText(const base::Problem& problem, const QLocale& locale) {
+  const QString x = problem.where ? fixedText(problem.where->x(), 1, locale) : QString();
+  const QString y = problem.where ? fixedText(problem.where->y(), 1, locale) : QString();
+  QString text;
+  if (problem.line && problem.where) {
+    text = QCoreApplication::translate("Problem", "(line %1 of the file, at X %2, Y %3 mm)")
+               .arg(QString::number(*problem.line), x, y);
+  } else if (problem.line) {
+    text = QCoreApplication::translate("Problem", "(line %1 of the file)").arg(*problem.line);
+  } else if (problem.where) {
+    text = QCoreApplication::translate("Problem", "(at X %1, Y %2 mm)").arg(x, y);
+  }
+  return text.replace(QLatin1Char(' '), QChar::Nbsp);
 }
 
 QString severityText(base::Severity severity) {

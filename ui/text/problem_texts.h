@@ -12,6 +12,10 @@ namespace arris::ui {
 /// The sentence of a problem in the language of the window, with its numbers in `locale`.
 [[nodiscard]] QString problemText(const base::Problem& problem, const QLocale& locale);
 
+/// Where it is, in brackets: "(line 12 of the file, at X 10.5, Y 20.0 mm)"; empty where no place is known. It does not
+/// break between lines.
+[[nodiscard]] QString placeText(const base::Problem& problem, const QLocale& locale);
+
 /// "error", "warning", "note" in the language of the window.
 [[nodiscard]] QString severityText(base::Severity severity);
 

@@ -48,8 +48,12 @@ void CornerCard::show(const PlanPointer& plan, int corner) {
     return;
   }
   const toolpath::Corner& c = plan->job.toolpath.corners[static_cast<std::size_t>(corner - 1)];
-  m_title->setText(
-      tr("Corner %1: %2, %3").arg(QString::number(c.id), angleText(c.angle, QLocale()), treatmentText(c.treatment)));
+  QString title =
+      tr("Corner %1: %2, %3").arg(QString::number(c.id), angleText(c.angle, QLocale()), treatmentText(c.treatment));
+  if (plan->job.contours.size() > 1) {
+    title += QLatin1Char(' ') + tr("(contour %1)").arg(c.contour);
+  }
+  m_title->setText(title);
   m_reason->setText(reasonText(c.reason));
   QString table = QStringLiteral("<table cellspacing='0' cellpadding='1'>");
   for (const Row& row : rowsOf(plan->job, c)) {
@@ -81,8 +85,10 @@ std::vector<CornerCard::Row> CornerCard::rowsOf(const job::Job& job, const toolp
   const auto index = static_cast<std::size_t>(corner.id - 1);
   if (index < job.cornerResults.size()) {
     const job::CornerResult& result = job.cornerResults[index];
-    rows.push_back(
-        {tr("Planned"), tr("%1 mm/s, %2 s").arg(number(result.plannedSpeed, 2), number(result.plannedTime, 3))});
+    if (corner.treatment != toolpath::Treatment::Stop) { // a stop has neither speed nor time
+      rows.push_back(
+          {tr("Planned"), tr("%1 mm/s, %2 s").arg(number(result.plannedSpeed, 2), number(result.plannedTime, 3))});
+    }
     rows.push_back({tr("Slowing L<sub>d</sub>, L<sub>a</sub>"),
                     tr("%1, %2 mm").arg(number(result.decelerationLength, 2), number(result.accelerationLength, 2))});
   }

@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kDecimals = 6;
 constexpr int kLongestNumber = 24;
+constexpr int kCaptionWidth = 216; // px; longer ones take two lines
 
 // So that the lines of all fields are equally wide.
 int widestUnit(const QFontMetrics& metrics) {
@@ -35,6 +36,7 @@ NumberEdit::NumberEdit(const recipe::NumberField& field, double most, double val
       m_sign(new QAction(signIcon(base::Severity::Error), QString(), this)) {
   auto* caption = new QLabel(fieldText(field));
   caption->setBuddy(m_line);
+  caption->setWordWrap(fontMetrics().horizontalAdvance(caption->text()) > kCaptionWidth);
   auto* unitLabel = new QLabel(unit());
   unitLabel->setMinimumWidth(widestUnit(fontMetrics()));
   m_line->setObjectName(QString::fromUtf8(field.key.data(), static_cast<qsizetype>(field.key.size())));
@@ -47,7 +49,7 @@ NumberEdit::NumberEdit(const recipe::NumberField& field, double most, double val
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setHorizontalSpacing(6);
-  layout->setVerticalSpacing(2);
+  layout->setVerticalSpacing(0);
   layout->addWidget(caption, 0, 0, 1, 2);
   layout->addWidget(m_line, 1, 0);
   layout->addWidget(unitLabel, 1, 1);

@@ -197,7 +197,8 @@ TEST(Report, OfAnImportTellsWhatWasFoundRepairedAndWrong) {
   pattern.unitsFrom = pattern::UnitsFrom::InsUnits;
   pattern.entities = {{"LINE", 3}, {"TEXT", 1}};
   pattern.layers = {{"0", {{"LINE", 3}}}, {"NOTES", {{"TEXT", 1}}}};
-  pattern.repairs = {Problem(Code::GapClosed, {{"size_mm", 0.02}}).at({1, 2})};
+  pattern.repairs = {Problem(Code::GapClosed, {{"size_mm", 0.02}}).at({1, 2}),
+                     Problem(Code::ZeroLengthRemoved, {{"size_mm", 0.0}}).at({3, 4}).onLine(17)};
   Problem tooSmall = Problem(Code::Unreached, {{"wheel_mm", 75.0}, {"length_mm", 20.0}}).at({-3.5, 4}).ofContour(1);
   tooSmall.largestWheel = 20;
   pattern.problems = {Problem(Code::EntityNotSupported, {{"entity", "SPLINE"}}).onLine(123), tooSmall};
@@ -208,13 +209,28 @@ TEST(Report, OfAnImportTellsWhatWasFoundRepairedAndWrong) {
   EXPECT_EQ(r["pattern"]["entities"], Json::parse(R"({"LINE": 3, "TEXT": 1})"));
   EXPECT_EQ(r["pattern"]["layers"], Json::parse(R"({"0": {"LINE": 3}, "NOTES": {"TEXT": 1}})"));
   EXPECT_EQ(r["pattern"]["repairs"],
-            Json::parse(R"([{"code": "gap-closed", "where_mm": [1.0, 2.0], "size_mm": 0.02}])"));
+            Json::parse(R"([{"code": "gap-closed", "text": "A gap of 0.02 mm was closed.", "where_mm": [1.0, 2.0],
+                             "size_mm": 0.02},
+                            {"code": "zero-length-removed", "text": "A piece without length (0 mm) was removed.",
+                             "where_mm": [3.0, 4.0], "line": 17, "size_mm": 0.0}])"));
   EXPECT_EQ(r["problems"][0]["line"], 123);
   EXPECT_FALSE(r["problems"][0].contains("where_mm"));
   EXPECT_EQ(r["problems"][1]["where_mm"], Json::parse("[-3.5, 4.0]"));
   EXPECT_EQ(r["problems"][1]["contour"], 1);
   EXPECT_EQ(r["problems"][1]["largest_wheel_mm"], 20.0);
   EXPECT_EQ(r["problems"][1]["values"], Json::parse(R"({"wheel_mm": 75.0, "length_mm": 20.0})"));
+}
+
+TEST(Report, NamesTheContourThatEachOtherOneLiesIn) {
+  pattern::Pattern pattern = test::polygon({{0, 0}, {800, 0}, {800, 500}, {0, 500}});
+  pattern::Contour hole = test::polygon({{300, 200}, {500, 200}, {500, 300}, {300, 300}}).contours.front();
+  hole.id = 2;
+  hole.kind = pattern::ContourKind::CutOut;
+  hole.parent = 1;
+  pattern.contours.push_back(hole);
+  const Json contours = Json::parse(report(pattern, "pane.dxf"))["pattern"]["contours"];
+  EXPECT_FALSE(contours[0].contains("parent"));
+  EXPECT_EQ(contours[1]["parent"], 1);
 }
 
 TEST(Report, PlacesOfRepairsAreOnTheTableOnceThePaneIs) {

@@ -1,17 +1,11 @@
-#include "core/job/job.h"
-#include "core/pattern/pattern.h"
-#include "tests/core/job/corpus_verdicts.h"
+#include "tests/support/corpus.h"
 #include "tests/support/limited_process.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
 namespace arris::job {
 namespace {
@@ -19,11 +13,6 @@ namespace {
 using base::Code;
 using test::CorpusVerdict;
 using test::Verdict;
-
-std::string contentOf(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// What a person needs to find the place of an error: a line, a place, or none because it is about the whole.
 void expectUseful(const base::Problem& problem) {
@@ -38,21 +27,6 @@ void expectUseful(const base::Problem& problem) {
   }
 }
 
-/// The wheel that the verdict names, or one of the smallest to be had, on a machine with room for every drawing. Small
-/// wheels come with short leads and little depth.
-Job plannedWith(double radius, const pattern::Pattern& pattern) {
-  recipe::Machine machine;
-  machine.travel = {20000, 20000, 120};
-  recipe::Recipe recipe;
-  recipe.wheelRadius = radius > 0 ? radius : 0.5;
-  if (recipe.wheelRadius <= 10) {
-    recipe.lead = 1.5;
-    recipe.overlap = 1;
-    recipe.depth = 0.05;
-  }
-  return planJob(pattern, recipe, machine);
-}
-
 bool isAccepted(const base::Problem& problem, std::string_view reasons) {
   const std::string between = fmt::format("|{}|", reasons);
   return base::severityOf(problem) == base::Severity::Error &&
@@ -61,8 +35,8 @@ bool isAccepted(const base::Problem& problem, std::string_view reasons) {
 
 /// "planned" or "refused" with the first error; "agreed: " before it where the verdict says so too.
 std::string outcomeOf(const std::filesystem::path& file, const CorpusVerdict& verdict) {
-  const pattern::Pattern pattern = pattern::readDxf(contentOf(file), {});
-  const Job job = plannedWith(verdict.wheelRadius, pattern);
+  const pattern::Pattern pattern = pattern::readDxf(test::contentOf(file), {});
+  const Job job = test::plannedAs(verdict, pattern);
   std::for_each(job.problems.begin(), job.problems.end(), expectUseful);
   std::for_each(pattern.repairs.begin(), pattern.repairs.end(), expectUseful);
   if (job.canBeGround()) {
@@ -71,39 +45,27 @@ std::string outcomeOf(const std::filesystem::path& file, const CorpusVerdict& ve
                        job.toolpath.corners.size(), job.duration);
   }
   const auto isReason = [&](const base::Problem& p) { return isAccepted(p, verdict.reasons); };
+  const auto isError = [](const base::Problem& p) { return base::severityOf(p) == base::Severity::Error; };
   const auto reason = std::find_if(job.problems.begin(), job.problems.end(), isReason);
   const bool agreed = verdict.verdict == Verdict::Refused && reason != job.problems.end();
-  const auto first = std::find_if(job.problems.begin(), job.problems.end(),
-                                  [](const base::Problem& p) { return base::severityOf(p) == base::Severity::Error; });
-  return fmt::format("{}refused, {}", agreed ? "agreed: " : "", base::describeWithPlace(agreed ? *reason : *first, ""));
-}
-
-std::vector<std::filesystem::path> drawingsIn(const char* folder) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".dxf") {
-      files.push_back(entry.path());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  return files;
+  const auto told = agreed ? reason : std::find_if(job.problems.begin(), job.problems.end(), isError);
+  return fmt::format("{}refused, {}", agreed ? "agreed: " : "", base::describeWithPlace(*told, "on the table"));
 }
 
 // Drawings by people and CAD systems. Each is read and planned in a process of its own: none crashes, hangs or eats the
 // memory, and each ends as a person who looked at it expects.
 TEST(Corpus, EveryDrawingEndsAsAPersonWhoLooksAtItExpects) {
-  const char* folder = std::getenv("ARRIS_PATTERN_CORPUS"); // NOLINT(concurrency-mt-unsafe)
+  const auto folder = test::corpusFolder();
   if (!folder) {
     GTEST_SKIP() << "ARRIS_PATTERN_CORPUS names no folder of drawings";
   }
-  const std::vector<std::filesystem::path> files = drawingsIn(folder);
-  EXPECT_EQ(files.size(), test::kCorpusVerdicts.size());
+  const std::vector<std::filesystem::path> files = test::drawingsIn(*folder);
+  EXPECT_EQ(files.size(), test::countOfVerdicts());
   int planned = 0;
   for (const std::filesystem::path& file : files) {
     const std::string name = file.filename().string();
-    const auto verdict = std::find_if(test::kCorpusVerdicts.begin(), test::kCorpusVerdicts.end(),
-                                      [&](const CorpusVerdict& v) { return v.file == name; });
-    if (verdict == test::kCorpusVerdicts.end()) {
+    const auto verdict = test::verdictOn(name);
+    if (!verdict) {
       ADD_FAILURE() << name << " has no verdict";
       continue;
     }

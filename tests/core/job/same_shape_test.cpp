@@ -89,21 +89,21 @@ std::string asPolylines(const Shape& shape) {
 
 /// Exactly: a rational quadratic spline, a span for each quarter or less. A full circle has the nine controls of the
 /// textbooks.
-test::Spline asSpline(const Arc& arc) {
+geometry::Spline asSpline(const Arc& arc) {
   const int spans = static_cast<int>(std::ceil(std::abs(arc.sweep()) / (kPi / 2) - 1e-9));
   const double half = arc.sweep() / spans / 2;
   const Point centre = arc.center();
   const geometry::Vector from = arc.start - centre;
-  test::Spline spline{2, {arc.start}, {0, 0, 0}, {1}};
+  geometry::Spline spline{2, {0, 0, 0}, {arc.start}, {1}};
   for (int i = 0; i < spans; ++i) {
-    spline.controls.emplace_back(centre + Eigen::Rotation2Dd((2 * i + 1) * half) * from / std::cos(half));
-    spline.controls.emplace_back(centre + Eigen::Rotation2Dd((2 * i + 2) * half) * from);
+    spline.points.emplace_back(centre + Eigen::Rotation2Dd((2 * i + 1) * half) * from / std::cos(half));
+    spline.points.emplace_back(centre + Eigen::Rotation2Dd((2 * i + 2) * half) * from);
     spline.weights.insert(spline.weights.end(), {std::cos(half), 1});
     spline.knots.insert(spline.knots.end(), {i + 1.0, i + 1.0});
   }
   spline.knots.push_back(spans);
   if (std::abs(arc.sweep()) > 2 * kPi - 1e-9) {
-    spline.controls.back() = spline.controls.front();
+    spline.points.back() = spline.points.front();
   }
   return spline;
 }

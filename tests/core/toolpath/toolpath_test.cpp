@@ -154,7 +154,7 @@ TEST(Corners, BelowOneHundredTwentyDegreesWithoutReliefKeepTheirTransitionWithAW
   ASSERT_EQ(toolpath.problems.size(), 4U);
   EXPECT_THAT(toolpath.problems, testing::Each(Field(&base::Problem::code, Code::NoRelief)));
   // Lift R/2 (s + 1/s) − R at 90°: 25·(0.70711 + 1.41421) − 50.
-  EXPECT_NEAR(std::get<double>(toolpath.problems.front().values[1].value), 3.03301, 5e-6);
+  EXPECT_NEAR(std::get<double>(toolpath.problems.front().values[0].value), 3.03301, 5e-6);
 }
 
 TEST(Corners, WarnOfATransitionThatTakesMoreThanAMinute) {

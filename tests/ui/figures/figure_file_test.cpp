@@ -118,14 +118,14 @@ TEST(FigureFile, AsSvgIsReadByAnotherProgram) {
   for (const Figure& figure : {previewOf(test::triangle600()), profileOfTriangle()}) {
     ASSERT_TRUE(renderToFile(figure, scratch / "a.svg").has_value());
     const QString png = QString::fromStdString((scratch / "a.png").string());
-    outputOf(QStringLiteral("rsvg-convert"),
-             {"-w", "1485", QString::fromStdString((scratch / "a.svg").string()), "-o", png});
-    EXPECT_EQ(QImage(png).size(), QSize(1485, 1050)); // A4 lying: 297 × 210
+    outputOf(QStringLiteral("rsvg-convert"), {"-w", QString::number(figure.page.width() / 2),
+                                              QString::fromStdString((scratch / "a.svg").string()), "-o", png});
+    EXPECT_EQ(QImage(png).size(), (figure.page / 2).toSize());
   }
 }
 
 TEST(FigureFile, AsPngHasTwoHundredDotsPerInch) {
-  const QImage image = QImage::fromData(encoded(previewOf(test::triangle600()), FigureFormat::Png));
+  const QImage image = QImage::fromData(encoded(profileOfTriangle(), FigureFormat::Png)); // A4 lying: 297 × 210
   EXPECT_EQ(image.size(), QSize(2339, 1654));
   EXPECT_EQ(image.dotsPerMeterX(), 7874);
 }
@@ -158,9 +158,10 @@ TEST(PreviewFigure, StandsWhereThePaneStands) {
 // Rapids come from the park position, the travel is far larger than the pane: both are cut off at the frame, because
 // SVG has no clipping.
 TEST(PreviewFigure, DrawsNothingOutsideThePage) {
-  for (const auto& [stroke, points] : polylinesOf(encoded(previewOf(test::triangle600()), FigureFormat::Svg))) {
+  const Figure figure = previewOf(test::triangle600());
+  for (const auto& [stroke, points] : polylinesOf(encoded(figure, FigureFormat::Svg))) {
     for (const QPointF& point : points) {
-      EXPECT_TRUE(QRectF(QPointF(), kA4Landscape).contains(point)) << stroke.toStdString();
+      EXPECT_TRUE(QRectF(QPointF(), figure.page).contains(point)) << stroke.toStdString();
     }
   }
 }
@@ -174,8 +175,34 @@ TEST(PreviewFigure, SaysInWordsWhatIsWrongAndWhere) {
   test::keep("inspect-gap", figure);
   const QString text = asText(encoded(figure, FigureFormat::Pdf));
   EXPECT_TRUE(text.contains("The contour is open here") && text.contains("0.4 mm")) << text.toStdString();
-  EXPECT_TRUE(text.contains("(X 150.0, Y 260.0)"));
+  EXPECT_TRUE(text.contains(QStringLiteral("(at\u00a0X\u00a0150.0,\u00a0Y\u00a0260.0\u00a0mm)")) ||
+              text.contains("(at X 150.0, Y 260.0 mm)"))
+      << text.toStdString();
   EXPECT_TRUE(text.contains("pieces in no contour: 2"));
+}
+
+TEST(PreviewFigure, ShowsRepairsToo) {
+  pattern::Pattern repaired = test::polygon({{0, 0}, {300, 0}, {300, 200}, {0, 200}});
+  for (int i = 0; i < 200; ++i) {
+    repaired.repairs.push_back(base::Problem(base::Code::GapClosed, {{"size_mm", 0.02}}).at({1.5 * i, 0}));
+  }
+  const Figure figure = previewOf(repaired);
+  test::keep("preview-repairs", figure);
+  const QString text = asText(encoded(figure, FigureFormat::Pdf));
+  EXPECT_TRUE(text.contains("A gap of 0.02 mm was closed.")) << text.toStdString();
+  EXPECT_TRUE(text.contains("And 199 more like it."));
+  EXPECT_TRUE(text.contains("Note, repair"));
+}
+
+TEST(PreviewFigure, NamesTheNumberOfContours) {
+  pattern::Pattern pattern = test::polygon({{0, 0}, {1000, 0}, {1000, 600}, {0, 600}});
+  pattern::Contour hole = test::polygon({{300, 200}, {300, 400}, {700, 400}, {700, 200}}).contours.front();
+  hole.id = 2;
+  hole.kind = pattern::ContourKind::CutOut;
+  hole.parent = 1;
+  pattern.contours.push_back(hole);
+  const QString text = asText(encoded(previewOf(pattern), FigureFormat::Pdf));
+  EXPECT_TRUE(text.contains("Contours: 2 (outlines 1, cut-outs 1)")) << text.toStdString();
 }
 
 TEST(PreviewFigure, OfNothingIsStillAPage) {

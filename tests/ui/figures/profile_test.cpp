@@ -47,6 +47,32 @@ TEST(ProfileCurves, MarkEachCornerFromTheFirstBrakingToTheLastAccelerating) {
   }
 }
 
+TEST(ProfileCurves, MarkAStopWhereBrakingEnds) {
+  const ProfileCurves curves =
+      curvesOf(columnsOf(job::planJob(test::polygon({{0, 0}, {1000, 0}, {1000, 400}, {600, 400}, {600, 800}, {0, 800}}),
+                                      {}, {})),
+               {});
+  const auto stop = std::find_if(curves.bands.begin(), curves.bands.end(), [](const CornerBand& band) {
+    return band.zone == Zone::Corner && band.from == band.to;
+  });
+  ASSERT_NE(stop, curves.bands.end());
+  EXPECT_NEAR(valueAt(curves.panels[static_cast<std::size_t>(Panel::Speed)], stop->from), 0, 0.1);
+}
+
+TEST(ProfileCurves, MarkTheWaysBetweenContours) {
+  pattern::Pattern two = test::polygon({{0, 0}, {500, 0}, {500, 500}, {0, 500}});
+  pattern::Contour second = test::polygon({{800, 0}, {1300, 0}, {1300, 500}, {800, 500}}).contours.front();
+  second.id = 2;
+  two.contours.push_back(second);
+  const ProfileCurves curves = curvesOf(columnsOf(job::planJob(two, {}, {})), {});
+  const auto isAway = [](const CornerBand& band) { return band.zone == Zone::Away; };
+  ASSERT_EQ(std::count_if(curves.bands.begin(), curves.bands.end(), isAway), 1);
+  const CornerBand way = *std::find_if(curves.bands.begin(), curves.bands.end(), isAway);
+  EXPECT_GT(way.from, curves.workFrom);
+  EXPECT_LT(way.to, curves.workTo);
+  EXPECT_GT(way.to - way.from, 1);
+}
+
 TEST(ProfileCurves, WorkReachesFromLeadInToLeadOut) {
   const job::Job job = triangleJob();
   const ProfileCurves curves = curvesOf(columnsOf(job), {});

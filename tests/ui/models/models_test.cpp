@@ -52,6 +52,23 @@ TEST(CornerModel, HasNoTransitionFiguresForARoll) {
   EXPECT_EQ(rolls, 1);
 }
 
+TEST(CornerModel, HasNoFiguresOfReliefForAConcaveCorner) {
+  CornerModel model;
+  const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+  model.setPlan(planOf(test::polygon({{0, 0}, {1000, 0}, {1000, 400}, {600, 400}, {600, 800}, {0, 800}})));
+  int stops = 0;
+  for (int row = 0; row < model.rowCount(); ++row) {
+    if (cell(model, row, CornerModel::Treatment) == "exact stop") {
+      ++stops;
+      EXPECT_EQ(cell(model, row, CornerModel::Angle), "270°");
+      for (const int column : {CornerModel::Speed, CornerModel::Widest, CornerModel::Relief}) {
+        EXPECT_EQ(cell(model, row, column), "–");
+      }
+    }
+  }
+  EXPECT_EQ(stops, 1);
+}
+
 TEST(CornerModel, MarksACornerWithoutReliefBySignAndNumber) {
   recipe::Recipe deep;
   deep.depth = 5;
@@ -83,6 +100,7 @@ TEST(ProblemModel, ShowsTheWorstFirstInWordsWithThePlace) {
   EXPECT_TRUE(QString::fromStdString(cell(model, 0, 0)).startsWith("Error: "));
   EXPECT_NE(cell(model, 0, 0).find("(at\u00a0X\u00a0"), std::string::npos);
   EXPECT_EQ(model.problem(model.rowCount() - 1).code, base::Code::GapClosed);
+  EXPECT_TRUE(QString::fromStdString(cell(model, model.rowCount() - 1, 0)).startsWith("Repaired: A gap of"));
   // The repair's place is on the table like all others.
   EXPECT_TRUE(
       model.problem(model.rowCount() - 1).where->isApprox(plan->job.placement.motion * geometry::Point(1450, 0)));

@@ -12,6 +12,7 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QCheckBox>
 #include <QDropEvent>
 #include <QHeaderView>
 #include <QLabel>
@@ -94,6 +95,16 @@ void Window::expectEverythingShown() {
     settle();
     test::expectNothingCutOff(m_window);
   }
+  open("splashback.dxf");
+  for (const char* page : {"showPane", "showGrinding"}) {
+    find<QAbstractButton>(page)->click();
+    settle();
+    EXPECT_EQ(m_window.size(), kSmallest);
+    test::expectNothingCutOff(m_window);
+  }
+  find<FindingsPanel>()->setCurrentIndex(1);
+  settle();
+  test::expectNothingCutOff(m_window);
   for (const char* wrong : {"999999", "3.600", "3,600", "?"}) {
     for (const char* key : {"wheel_radius_mm", "accel_x_mm_s2"}) {
       type(key, wrong);
@@ -212,6 +223,57 @@ TEST_F(Window, ShowsThePlaceOfAProblemThatIsTapped) {
   test::keep("window-problem-place", m_window);
 }
 
+TEST_F(Window, ShowsThePlaceOfARepairThatIsTapped) {
+  open("repaired.dxf");
+  find<FindingsPanel>()->setCurrentIndex(1);
+  settle();
+  auto* problems = find<QAbstractItemView>("problems");
+  ASSERT_EQ(problems->model()->rowCount(), 1);
+  EXPECT_TRUE(problems->model()->index(0, 0).data().toString().startsWith("Repaired: A gap of 0.02 mm was closed."));
+  tap(problems->viewport(), problems->visualRect(problems->model()->index(0, 0)).center());
+  auto* view = find<DrawingView>();
+  const geometry::Point where = *find<ProblemModel>()->problem(0).where;
+  const QPoint shown = view->mapFromScene(QPointF(where.x(), where.y()));
+  EXPECT_LT((shown - view->viewport()->rect().center()).manhattanLength(), 4);
+}
+
+TEST_F(Window, TakesTheSizeCorrectionOnThePageOfThePane) {
+  open("rectangle.dxf");
+  find<QAbstractButton>("showPane")->click();
+  settle();
+  type("size_correction_mm", "0.5");
+  EXPECT_DOUBLE_EQ(job().recipe.sizeCorrection, 0.5);
+  EXPECT_TRUE(job().canBeGround());
+  test::keep("window-pane", m_window);
+}
+
+// A wheel of 75 mm does not go into the sockets.
+TEST_F(Window, LeavesUngroundWhatTheWheelCannotReachWhenToldSo) {
+  open("splashback.dxf");
+  EXPECT_FALSE(job().canBeGround());
+  find<QAbstractButton>("showPane")->click();
+  settle();
+  test::keep("window-unreached", m_window);
+  tap(find<QCheckBox>("accept_unreached"), {14, 22});
+  EXPECT_TRUE(job().recipe.acceptUnreached);
+  EXPECT_TRUE(job().canBeGround());
+  EXPECT_TRUE(text("state").startsWith("Grinding: "));
+}
+
+TEST_F(Window, ShowsAConcaveCornerWithTheContourThatItIsOf) {
+  open("splashback.dxf");
+  type("wheel_radius_mm", "15");
+  find<QAbstractButton>("showPane")->click();
+  settle();
+  type("lead_mm", "10");
+  ASSERT_TRUE(job().canBeGround());
+  find<FindingsPanel>()->selectCorner(4);
+  settle();
+  EXPECT_EQ(text("cornerTitle"), "Corner 4: 270°, exact stop (contour 3)");
+  EXPECT_TRUE(text("cornerFigures").contains("6.213 mm before the corner")) << text("cornerFigures").toStdString();
+  test::keep("window-concave", m_window);
+}
+
 TEST_F(Window, SaysWhyAFileCannotBeOpenedAndKeepsTheOneBefore) {
   open("triangle.dxf");
   open("missing.dxf");
@@ -281,8 +343,19 @@ TEST_F(Window, HasTargetsForFingers) {
       check(button, button->size());
     }
   }
-  for (const QLineEdit* line : m_window.findChildren<QLineEdit*>()) {
-    check(line, line->size());
+  for (const char* page : {"showPane", "showGrinding"}) {
+    find<QAbstractButton>(page)->click();
+    settle();
+    for (const QLineEdit* line : m_window.findChildren<QLineEdit*>()) {
+      if (line->isVisible()) {
+        check(line, line->size());
+      }
+    }
+    for (const QCheckBox* box : m_window.findChildren<QCheckBox*>()) {
+      if (box->isVisible()) {
+        check(box, box->size());
+      }
+    }
   }
   for (const QTabBar* tabs : m_window.findChildren<QTabBar*>()) {
     for (int i = 0; i < tabs->count(); ++i) {
@@ -369,6 +442,16 @@ TEST_P(TranslatedWindow, LooksRight) {
   find<QAbstractButton>("fit")->click();
   settle();
   keep("large");
+  find<QAbstractButton>("showDrawing")->click();
+  find<QAbstractButton>("showPane")->click();
+  for (int i = 0; i < 2; ++i) { // what is side by side holds the window wide until it stands below
+    m_window.resize(kSmallest);
+    settle();
+  }
+  open("splashback.dxf");
+  find<FindingsPanel>()->setCurrentIndex(1);
+  settle();
+  keep("pane");
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, TranslatedWindow, testing::ValuesIn(test::languages()),

@@ -16,8 +16,16 @@ pattern::Pattern many() {
   return polygon(corners);
 }
 
-base::Expected<pattern::Pattern> paneNamed(const std::filesystem::path& file, const pattern::ImportOptions&) {
+base::Expected<pattern::Pattern> paneNamed(const std::filesystem::path& file, const pattern::ImportOptions& options) {
   const std::string name = file.stem().string();
+  if (name == "splashback") {
+    return ui::plannerSteps().read(ARRIS_SOURCE_DIR "/resources/samples/splashback.dxf", options);
+  }
+  if (name == "repaired") {
+    pattern::Pattern pattern = triangle600();
+    pattern.repairs = {base::Problem(base::Code::GapClosed, {{"size_mm", 0.02}}).at({600, 0})};
+    return pattern;
+  }
   if (name == "triangle") {
     return triangle600();
   }

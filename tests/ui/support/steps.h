@@ -7,7 +7,8 @@ namespace arris::test {
 inline constexpr int kPatience = 60000; ///< ms; only a failing test waits as long
 
 /// A planner's steps that read no files: the name of the file chooses the pane (see panes.h): "triangle.dxf",
-/// "rectangle.dxf", "outside.dxf" (leaves the travel), "many.dxf" (forty corners); any other cannot be opened.
+/// "rectangle.dxf", "outside.dxf" (leaves the travel), "many.dxf" (forty corners), "splashback.dxf" (the sample),
+/// "repaired.dxf" (the triangle with a gap that was closed); any other cannot be opened.
 [[nodiscard]] ui::PlannerSteps paneSteps();
 
 } // namespace arris::test
