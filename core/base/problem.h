@@ -70,6 +70,7 @@ enum class Code {
   ContourDegenerate,
   ContourCrossesItself,
   ContoursCross,
+  ContoursTooDense,
   ChordsTooCoarse,
   // Wheel path
   SpikeInContour,

@@ -74,6 +74,9 @@ const std::vector<CodeInfo>& allCodes() {
       {ContourCrossesItself, "contour-crosses-itself", Error, "The contour crosses or touches itself here."},
       {ContoursCross, "contours-cross", Error,
        "Contours {first} and {second} cross or touch here; move them apart in the drawing."},
+      {ContoursTooDense, "contours-too-dense", Error,
+       "From here on so many contours lie over or within each other that they cannot be checked (more than {most} "
+       "comparisons); draw fewer."},
       {ChordsTooCoarse, "chords-too-coarse", Note,
        "The {count} joints from here on look like the chords of a curve but stay corners: they are joined from a "
        "smoothing tolerance of {needed_mm} mm on (now {tolerance_mm} mm)."},

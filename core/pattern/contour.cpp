@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <tuple>
 
@@ -77,6 +78,11 @@ TreeBox treeBox(const geometry::Box& box) {
   return {{box.min().x(), box.min().y()}, {box.max().x(), box.max().y()}};
 }
 
+std::size_t countOfCurves(const std::vector<Contour>& contours) {
+  return std::accumulate(contours.begin(), contours.end(), std::size_t{0},
+                         [](std::size_t count, const Contour& contour) { return count + contour.curves.size(); });
+}
+
 /// A tree over each contour and one over all of them.
 struct ContourIndex {
   std::vector<CurveTree> trees;
@@ -94,19 +100,25 @@ struct ContourIndex {
 
 constexpr std::size_t kNoContour = ~std::size_t{0};
 
+Problem tooDense(const Contour& contour, const Effort& effort) {
+  return Problem(Code::ContoursTooDense, {{"most", effort.most()}})
+      .at(geometry::startPoint(contour.curves.front()))
+      .ofContour(contour.id);
+}
+
 /// The innermost of the other contours that each lies in; its starting point stands for it. What does not cross is
-/// ordered by area: the smallest that surrounds a point is the innermost.
-std::vector<std::size_t> parents(const std::vector<Contour>& contours) {
+/// ordered by area: the smallest that surrounds a point is the innermost. Once the effort is spent none is found.
+std::vector<std::size_t> parents(const std::vector<Contour>& contours, Effort& effort) {
   const ContourIndex index(contours);
   std::vector<double> area(contours.size());
   std::transform(contours.begin(), contours.end(), area.begin(),
                  [](const Contour& contour) { return std::abs(geometry::signedArea(contour.curves)); });
   std::vector<std::size_t> result(contours.size(), kNoContour);
-  for (std::size_t i = 0; i < contours.size(); ++i) {
+  for (std::size_t i = 0; i < contours.size() && !effort.isSpent(); ++i) {
     const Point start = geometry::startPoint(contours[i].curves.front());
     std::vector<std::size_t> around;
-    for (auto found = index.boxes.qbegin(bgi::intersects(TreePoint(start.x(), start.y()))); found != index.boxes.qend();
-         ++found) {
+    for (auto found = index.boxes.qbegin(bgi::intersects(TreePoint(start.x(), start.y())));
+         found != index.boxes.qend() && effort.spend(); ++found) {
       if (found->second != i && area[found->second] > area[i]) {
         around.push_back(found->second);
       }
@@ -169,8 +181,13 @@ void renumber(std::vector<Contour>& contours, base::Problems& notes) {
   }
 }
 
-void nest(std::vector<Contour>& contours) {
-  const std::vector<std::size_t> parent = parents(contours);
+void nest(std::vector<Contour>& contours, base::Problems& problems) {
+  Effort effort(contours.size());
+  const std::vector<std::size_t> parent = parents(contours, effort);
+  if (effort.isSpent()) {
+    problems.push_back(tooDense(contours.front(), effort));
+    return;
+  }
   const std::vector<int> depth = depths(parent);
   for (std::size_t i = 0; i < contours.size(); ++i) {
     contours[i].parent = parent[i] == kNoContour ? 0 : contours[parent[i]].id;
@@ -220,9 +237,10 @@ bool standsBefore(const Contour& a, const Contour& b) {
   return key(a) < key(b);
 }
 
-void checkAlone(const Contour& contour, const CurveTree& tree, base::Problems& problems) {
+void checkAlone(const Contour& contour, const CurveTree& tree, Effort& effort, base::Problems& problems) {
   const bool thereAndBack = contour.curves.size() == 2 && isSliver(contour);
-  const std::vector<Point> crossings = thereAndBack ? std::vector<Point>() : selfCrossings(contour.curves, tree);
+  const std::vector<Point> crossings =
+      thereAndBack ? std::vector<Point>() : selfCrossings(contour.curves, tree, effort);
   for (const Point& place : crossings) {
     problems.push_back(Problem(Code::ContourCrossesItself).at(place).ofContour(contour.id));
   }
@@ -233,7 +251,7 @@ void checkAlone(const Contour& contour, const CurveTree& tree, base::Problems& p
 }
 
 // Against those after it, so that each pair is looked at once.
-void checkAgainstOthers(const std::vector<Contour>& contours, std::size_t i, const ContourIndex& index,
+void checkAgainstOthers(const std::vector<Contour>& contours, std::size_t i, const ContourIndex& index, Effort& effort,
                         base::Problems& problems) {
   geometry::Box box = index.trees[i].bounds();
   box.min().array() -= base::kSamePlace;
@@ -241,13 +259,13 @@ void checkAgainstOthers(const std::vector<Contour>& contours, std::size_t i, con
   const auto isLater = [i](const BoxIndex::value_type& entry) { return entry.second > i; };
   std::vector<std::size_t> others;
   for (auto found = index.boxes.qbegin(bgi::intersects(treeBox(box)) && bgi::satisfies(isLater));
-       found != index.boxes.qend(); ++found) {
+       found != index.boxes.qend() && effort.spend(); ++found) {
     others.push_back(found->second);
   }
   std::sort(others.begin(), others.end());
   for (const std::size_t k : others) {
     for (const Point& place :
-         crossingsBetween(contours[i].curves, index.trees[i], contours[k].curves, index.trees[k])) {
+         crossingsBetween(contours[i].curves, index.trees[i], contours[k].curves, index.trees[k], effort)) {
       problems.push_back(Problem(Code::ContoursCross,
                                  {{"first", std::int64_t{contours[i].id}}, {"second", std::int64_t{contours[k].id}}})
                              .at(place)
@@ -308,16 +326,20 @@ void sortContours(std::vector<Contour>& contours, base::Problems& notes) {
   sortByPlace(contours);
   renumber(contours, notes);
   if (contours.size() > 1) {
-    nest(contours);
+    nest(contours, notes);
   }
 }
 
 base::Problems checkContours(const std::vector<Contour>& contours) {
   base::Problems problems;
   const ContourIndex index(contours);
-  for (std::size_t i = 0; i < contours.size(); ++i) {
-    checkAlone(contours[i], index.trees[i], problems);
-    checkAgainstOthers(contours, i, index, problems);
+  Effort effort(countOfCurves(contours));
+  for (std::size_t i = 0; i < contours.size() && !effort.isSpent(); ++i) {
+    checkAlone(contours[i], index.trees[i], effort, problems);
+    checkAgainstOthers(contours, i, index, effort, problems);
+    if (effort.isSpent()) {
+      problems.push_back(tooDense(contours[i], effort));
+    }
   }
   return problems;
 }

@@ -19,10 +19,10 @@ void takeOutCopies(std::vector<Contour>& contours, base::Problems& repairs);
 
 /// Numbers the contours by place (in `notes` too), finds the innermost that each lies in, and turns those that lie
 /// inside an odd number of others into cut-outs. Nesting means something only where no two of them cross. Cost grows as
-/// n log n.
+/// n log n; where too many lie within each other for that, this is an error in `notes`.
 void sortContours(std::vector<Contour>& contours, base::Problems& notes);
 
-/// Errors of contours: no area, crossing itself, crossing or touching another.
+/// Errors of contours: no area, crossing itself, crossing or touching another, too many over each other to tell.
 [[nodiscard]] base::Problems checkContours(const std::vector<Contour>& contours);
 
 } // namespace arris::pattern

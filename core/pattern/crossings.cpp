@@ -27,6 +27,9 @@ constexpr double kTouch = 1e-7;
 /// A joint that turns back by all but this runs along itself, rad.
 constexpr double kBack = 1e-6;
 
+/// What `meetingPlace` costs in comparisons.
+constexpr std::int64_t kMeetingEffort = 50;
+
 /// Place on `a` nearest to `b`, to some micrometres: for a message.
 Point meetingPlace(const Curve& a, const Curve& b) {
   constexpr int kSamples = 64;
@@ -104,7 +107,7 @@ private:
 
 } // namespace
 
-std::vector<Point> selfCrossings(const std::vector<Curve>& chain, const CurveTree& tree) {
+std::vector<Point> selfCrossings(const std::vector<Curve>& chain, const CurveTree& tree, Effort& effort) {
   std::vector<Point> places;
   if (chain.size() < 2) {
     return places;
@@ -132,29 +135,31 @@ std::vector<Point> selfCrossings(const std::vector<Curve>& chain, const CurveTre
     if (!follows && !closes) {
       const double below = touchingBelow(i, j);
       if (geometry::distance(chain[i], chain[j], below) <= below) {
+        effort.spend(kMeetingEffort);
         place = meetingPlace(chain[i], chain[j]);
       }
     }
     if (place) {
       places.push_back(*place);
     }
-    return places.size() < kEnough;
+    return effort.spend() && places.size() < kEnough;
   });
   return places;
 }
 
 std::vector<Point> crossingsBetween(const std::vector<Curve>& a, const CurveTree& treeOfA, const std::vector<Curve>& b,
-                                    const CurveTree& treeOfB) {
+                                    const CurveTree& treeOfB, Effort& effort) {
   std::vector<Point> places;
   treeOfA.forPairsWith(treeOfB, base::kSamePlace, [&](std::size_t i, std::size_t j) {
     if (geometry::distance(a[i], b[j], base::kSamePlace) < base::kSamePlace) {
+      effort.spend(kMeetingEffort);
       const Point place = meetingPlace(a[i], b[j]);
       const auto isNear = [&](const Point& told) { return (told - place).norm() < kOnePlace; };
       if (std::none_of(places.begin(), places.end(), isNear)) {
         places.push_back(place);
       }
     }
-    return places.size() < kEnough;
+    return effort.spend() && places.size() < kEnough;
   });
   return places;
 }

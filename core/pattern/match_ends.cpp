@@ -3,6 +3,7 @@
 #include "core/base/numbers.h"
 #include "core/base/tolerances.h"
 #include "core/pattern/course.h"
+#include "core/pattern/effort.h"
 
 #include <queue>
 
@@ -109,7 +110,7 @@ std::vector<Point> endsOf(const Pieces& pieces) {
 /// Every curve of a drawing by its place, to find what lies under a point.
 class CurvesByPlace {
 public:
-  CurvesByPlace(const Pieces& pieces, const std::vector<std::vector<Curve>>& closed) {
+  CurvesByPlace(const Pieces& pieces, const std::vector<std::vector<Curve>>& closed) : m_effort(pieces.size()) {
     std::vector<BoxEntry> entries;
     const auto add = [&](Chain chain, std::size_t piece) {
       for (const Curve& curve : chain) {
@@ -126,14 +127,15 @@ public:
     m_tree = BoxTree(entries);
   }
 
-  /// Whether a curve of another piece than this passes within `reach` of the point.
-  [[nodiscard]] bool passes(const Point& point, double reach, std::size_t exceptPiece) const {
+  /// Whether a curve of another piece than this passes within `reach` of the point. Once the effort is spent, none.
+  [[nodiscard]] bool passes(const Point& point, double reach, std::size_t exceptPiece) {
     const Point corner = Point::Constant(reach);
     const bg::model::box<TreePoint> box(treePoint(point - corner), treePoint(point + corner));
     const auto near = [&](const BoxEntry& e) {
-      return e.second.second != exceptPiece && geometry::nearest(*e.second.first, point).distance <= reach;
+      return m_effort.spend() && e.second.second != exceptPiece &&
+             geometry::nearest(*e.second.first, point).distance <= reach;
     };
-    return m_tree.qbegin(bgi::intersects(box) && bgi::satisfies(near)) != m_tree.qend();
+    return !m_effort.isSpent() && m_tree.qbegin(bgi::intersects(box) && bgi::satisfies(near)) != m_tree.qend();
   }
 
 private:
@@ -142,6 +144,7 @@ private:
   using BoxTree = bgi::rtree<BoxEntry, bgi::quadratic<16>>;
 
   BoxTree m_tree;
+  Effort m_effort;
 };
 
 class Matcher {
@@ -300,9 +303,9 @@ private:
     return std::min(m_gap, lengthOf(m_pieces[pieceOf(end)]) / 2);
   }
 
-  /// What is left may end on a piece between that one's ends.
+  /// What is left may end on a piece between that one's ends. Where this is not found out, the end is told as free.
   void findEndsOnPieces(const std::vector<EndId>& free) {
-    const CurvesByPlace curves(m_pieces, m_closed);
+    CurvesByPlace curves(m_pieces, m_closed);
     for (const EndId end : free) {
       if (!m_branching[end] && curves.passes(m_ends[end], reachOf(end), pieceOf(end))) {
         m_branching[end] = true;

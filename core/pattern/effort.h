@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/base/caps.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace arris::pattern {
+
+/// Comparisons of curves or contours with each other that one check of a drawing may take, and as many more for each of
+/// them: many times what a pane needs. Where all lie on top of each other they would be the square of their number.
+inline constexpr std::int64_t kMostComparisons = 5'000'000 / base::kCapDivisor;
+inline constexpr std::int64_t kMostComparisonsOfEach = 50;
+
+/// What is left of them.
+class Effort {
+public:
+  explicit Effort(std::size_t things)
+      : m_most(kMostComparisons + kMostComparisonsOfEach * static_cast<std::int64_t>(things)), m_left(m_most) {}
+
+  /// False once nothing is left.
+  bool spend(std::int64_t comparisons = 1) {
+    m_left -= comparisons;
+    return m_left > 0;
+  }
+
+  [[nodiscard]] bool isSpent() const {
+    return m_left <= 0;
+  }
+
+  [[nodiscard]] std::int64_t most() const {
+    return m_most;
+  }
+
+private:
+  std::int64_t m_most;
+  std::int64_t m_left;
+};
+
+} // namespace arris::pattern
