@@ -252,6 +252,10 @@
         <source>And %1 more like it.</source>
         <translation>Und %1 weitere dieser Art.</translation>
     </message>
+    <message>
+        <source>Contours: %1</source>
+        <translation>Konturen: %1</translation>
+    </message>
 </context>
 <context>
     <name>Problem</name>

@@ -252,6 +252,10 @@
         <source>And %1 more like it.</source>
         <translation>另有 %1 处同类。</translation>
     </message>
+    <message>
+        <source>Contours: %1</source>
+        <translation>轮廓：%1</translation>
+    </message>
 </context>
 <context>
     <name>Problem</name>
