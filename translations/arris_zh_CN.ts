@@ -567,6 +567,10 @@
         <source>(at X %1, Y %2 mm)</source>
         <translation>（位于 X %1，Y %2 mm）</translation>
     </message>
+    <message>
+        <source>From here on so many contours lie over or within each other that they cannot be checked (more than {most} comparisons); draw fewer.</source>
+        <translation>从此处起，相互重叠或嵌套的轮廓过多，无法检查（比较超过 {most} 次）；请减少轮廓。</translation>
+    </message>
 </context>
 <context>
     <name>ProblemWord</name>
