@@ -252,6 +252,10 @@
         <source>And %1 more like it.</source>
         <translation>Und %1 weitere dieser Art.</translation>
     </message>
+    <message>
+        <source>Contours: %1</source>
+        <translation>Konturen: %1</translation>
+    </message>
 </context>
 <context>
     <name>Problem</name>
@@ -562,6 +566,10 @@
     <message>
         <source>(at X %1, Y %2 mm)</source>
         <translation>(bei X %1, Y %2 mm)</translation>
+    </message>
+    <message>
+        <source>From here on so many contours lie over or within each other that they cannot be checked (more than {most} comparisons); draw fewer.</source>
+        <translation>Ab hier liegen so viele Konturen über- oder ineinander, dass sie nicht geprüft werden können (mehr als {most} Vergleiche); weniger zeichnen.</translation>
     </message>
 </context>
 <context>

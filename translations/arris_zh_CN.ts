@@ -252,6 +252,10 @@
         <source>And %1 more like it.</source>
         <translation>另有 %1 处同类。</translation>
     </message>
+    <message>
+        <source>Contours: %1</source>
+        <translation>轮廓：%1</translation>
+    </message>
 </context>
 <context>
     <name>Problem</name>
@@ -562,6 +566,10 @@
     <message>
         <source>(at X %1, Y %2 mm)</source>
         <translation>（位于 X %1，Y %2 mm）</translation>
+    </message>
+    <message>
+        <source>From here on so many contours lie over or within each other that they cannot be checked (more than {most} comparisons); draw fewer.</source>
+        <translation>从此处起，相互重叠或嵌套的轮廓过多，无法检查（比较超过 {most} 次）；请减少轮廓。</translation>
     </message>
 </context>
 <context>

@@ -35,7 +35,7 @@ double deviation(const Parabola& parabola, const Place& start, const Place& end,
 } // namespace
 
 std::vector<Arc> arcsAlong(const Parabola& parabola, double tolerance) {
-  constexpr double kShare = 0.9; // of the tolerance, for what lies between the places looked at
+  constexpr double kShareOfTolerance = 0.9; // of the tolerance, for what lies between the places looked at
   const double length = parameterLength(parabola);
   std::vector<Arc> arcs;
   Place start = placeAt(parabola, 0);
@@ -45,7 +45,8 @@ std::vector<Arc> arcsAlong(const Parabola& parabola, double tolerance) {
     step = step >= left ? left : std::min(step, left / 2); // no sliver at the end
     const Place end = placeAt(parabola, step == left ? length : start.lambda + step);
     const Biarc biarc = biarcBetween(start.station, end.station);
-    const double scale = std::cbrt(kShare * tolerance / deviation(parabola, start, end, biarc)); // deviation ~ step³
+    const double scale =
+        std::cbrt(kShareOfTolerance * tolerance / deviation(parabola, start, end, biarc)); // deviation ~ step³
     if (scale >= 1) {
       arcs.push_back(std::get<Arc>(biarc.first)); // a parabola is bent everywhere
       if (biarc.second) {

@@ -83,7 +83,7 @@ std::optional<KinkArc> arcAtKink(const Curve& before, const Curve& after, double
   const Point kink = geometry::startPoint(after);
   double radius = std::min(radiusBetweenLines(turn), std::min(mostBefore, mostAfter) / std::tan(turn / 2));
   for (; radius >= kLeastKinkRadius; radius *= 0.8) { // curved paths may need a little less
-    const std::optional<KinkArc> arc = arcOfRadius(before, after, side, radius);
+    std::optional<KinkArc> arc = arcOfRadius(before, after, side, radius);
     const bool fits =
         arc && arc->cutBefore > 0 && arc->cutBefore <= mostBefore && arc->cutAfter > 0 && arc->cutAfter <= mostAfter;
     if (fits && geometry::nearest(arc->arc, kink).distance <= 1.001 * kKinkDeviation) {

@@ -202,7 +202,7 @@ private:
   // Where neither end was cut off.
   void joinNeighbours(const std::vector<PieceRing>& rings) {
     std::vector<std::uint32_t> firstSpan(m_pieces.size(), kNone);
-    for (std::uint32_t i = static_cast<std::uint32_t>(m_spans.size()); i-- > 0;) {
+    for (auto i = static_cast<std::uint32_t>(m_spans.size()); i-- > 0;) {
       firstSpan[m_spans[i].piece] = i;
     }
     auto ring = rings.begin();

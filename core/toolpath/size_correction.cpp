@@ -124,7 +124,7 @@ private:
     }
   }
 
-  std::vector<Curve> assembled() const {
+  [[nodiscard]] std::vector<Curve> assembled() const {
     std::vector<Curve> curves;
     for (std::size_t i = 0; i < m_edges.size(); ++i) {
       const Edge& edge = m_edges[i];

@@ -16,19 +16,23 @@ namespace {
 
 constexpr double kEdge = 10;       ///< mm
 constexpr double kWave = 400;      ///< mm, length of a wave
-constexpr double kAmplitude = 60;  ///< mm: hollows of down to 67 mm radius
+constexpr double kAmplitude = 100; ///< mm, of a wave: hollows of down to 81 mm radius
 constexpr double kTooth = 5;       ///< mm
 constexpr double kPerUnit = 1e5;   ///< Clipper's integers: 10 nm
 constexpr double kArcError = 1e-3; ///< mm, of Clipper's chords round a corner
 
-std::vector<geometry::Point> waved(std::int64_t count) {
-  const double radius = kEdge * static_cast<double>(count) / (2 * base::kPi);
-  const double waves = std::round(2 * base::kPi * radius / kWave);
+/// A square whose sides are waved and serrated: corners `kEdge` apart along each side, every second one a tooth.
+std::vector<geometry::Point> serrated(std::int64_t count) {
+  const std::int64_t onSide = count / 4;
+  const double side = kEdge * static_cast<double>(onSide);
+  const double waves = std::round(side / kWave);
   std::vector<geometry::Point> result;
-  for (std::int64_t i = 0; i < count; ++i) {
-    const double angle = 2 * base::kPi * static_cast<double>(i) / static_cast<double>(count);
-    const double r = radius + kAmplitude * std::sin(waves * angle) + (i % 2 == 0 ? kTooth : 0);
-    result.emplace_back(r * std::cos(angle), r * std::sin(angle));
+  for (std::int64_t i = 0; i < 4 * onSide; ++i) {
+    const double along = kEdge * static_cast<double>(i % onSide);
+    const double inwards =
+        kAmplitude * base::squared(std::sin(base::kPi * waves * along / side)) + (i % 2 == 1 ? kTooth : 0);
+    const Eigen::Rotation2Dd turned(base::kPi / 2 * static_cast<double>(i / onSide));
+    result.emplace_back(turned * geometry::Point(along - side / 2, inwards - side / 2));
   }
   return result;
 }
@@ -45,7 +49,7 @@ std::vector<geometry::Point> star(std::int64_t count) {
 
 /// Every second edge bulges outwards by 3°.
 pattern::Contour contourOfLinesAndArcs(std::int64_t count) {
-  pattern::Contour contour = test::polygon(waved(count)).contours.front();
+  pattern::Contour contour = test::polygon(serrated(count)).contours.front();
   for (std::size_t i = 0; i < contour.curves.size(); i += 2) {
     geometry::Curve& curve = contour.curves[i];
     curve = geometry::arcBetween(geometry::startPoint(curve), geometry::endPoint(curve), base::radians(3));
@@ -66,7 +70,7 @@ void compensation(benchmark::State& state, const pattern::Contour& contour) {
 }
 
 void lines(benchmark::State& state) {
-  compensation(state, test::polygon(waved(state.range(0))).contours.front());
+  compensation(state, test::polygon(serrated(state.range(0))).contours.front());
 }
 
 void linesAndArcs(benchmark::State& state) {
@@ -79,7 +83,7 @@ void denseStar(benchmark::State& state) {
 
 void clipper(benchmark::State& state) {
   ClipperLib::Path path;
-  for (const geometry::Point& corner : waved(state.range(0))) {
+  for (const geometry::Point& corner : serrated(state.range(0))) {
     path.emplace_back(std::llround(corner.x() * kPerUnit), std::llround(corner.y() * kPerUnit));
   }
   for (auto _ : state) {

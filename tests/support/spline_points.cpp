@@ -127,7 +127,7 @@ geometry::Spline circleAsSpline(const Point& center, double radius, int pieces) 
   for (int i = 0; i <= 2 * pieces; ++i) {
     const bool outside = i % 2 == 1;
     const double reach = outside ? radius / std::cos(half) : radius;
-    spline.points.push_back(center + reach * Point(std::cos(half * i), std::sin(half * i)));
+    spline.points.emplace_back(center + reach * Point(std::cos(half * i), std::sin(half * i)));
     spline.weights.push_back(outside ? std::cos(half) : 1);
   }
   spline.knots.push_back(0);

@@ -15,6 +15,7 @@ namespace {
 constexpr double kBandBadgeHeight = 40;
 constexpr double kBandAngleHeight = 34;
 constexpr double kBandGap = 8;
+constexpr double kNarrowest = 6;
 
 } // namespace
 
@@ -67,7 +68,7 @@ void CornerBands::drawBand(QCPPainter* painter, const CornerBand& band, double f
     color = color.darker(107);
   }
   painter->fillRect(QRectF(from, top, to - from, bottom - top), color);
-  if (inCorner) {
+  if (inCorner && (to == from || to - from > kNarrowest * m_style.unit)) { // else the edges are all that is seen
     painter->setPen(m_style.pen(m_style.palette.transition, kThinLine));
     painter->drawLine(QLineF(from, top, from, bottom));
     painter->drawLine(QLineF(to, top, to, bottom));

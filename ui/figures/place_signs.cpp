@@ -96,12 +96,12 @@ std::vector<PlaceSign> placeSigns(const Drawing& drawing, const QTransform& toDe
 }
 
 void paintSigns(QPainter& painter, const std::vector<PlaceSign>& signs, const FigureStyle& style) {
-  for (auto sign = signs.rbegin(); sign != signs.rend(); ++sign) {
-    paintSign(painter, sign->place, sign->worst, style);
-    if (sign->count > 1) {
-      paintCount(painter, *sign, style);
+  std::for_each(signs.rbegin(), signs.rend(), [&](const PlaceSign& sign) {
+    paintSign(painter, sign.place, sign.worst, style);
+    if (sign.count > 1) {
+      paintCount(painter, sign, style);
     }
-  }
+  });
 }
 
 } // namespace arris::ui

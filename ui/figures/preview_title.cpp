@@ -39,6 +39,9 @@ public:
 };
 
 QString TitleLines::contours(const std::vector<pattern::Contour>& contours) {
+  if (contours.size() < 2) {
+    return tr("Contours: %1").arg(contours.size());
+  }
   return tr("Contours: %1 (outlines %2, cut-outs %3)")
       .arg(contours.size())
       .arg(countOf(contours, pattern::ContourKind::Outline))

@@ -24,6 +24,14 @@ const base::Problem& ProblemModel::problem(int row) const {
   return m_problems.at(static_cast<std::size_t>(row));
 }
 
+int ProblemModel::rowOf(const base::Problem& problem) const {
+  const auto row = std::find_if(m_problems.begin(), m_problems.end(), [&](const base::Problem& candidate) {
+    return candidate.code == problem.code && candidate.where == problem.where && candidate.line == problem.line &&
+           candidate.values == problem.values;
+  });
+  return row != m_problems.end() ? static_cast<int>(row - m_problems.begin()) : -1;
+}
+
 int ProblemModel::count(base::Severity severity) const {
   return static_cast<int>(std::count_if(m_problems.begin(), m_problems.end(), [severity](const base::Problem& problem) {
     return base::severityOf(problem) == severity;

@@ -18,6 +18,9 @@ public:
   /// The problem of a row.
   [[nodiscard]] const base::Problem& problem(int row) const;
 
+  /// The row of a problem of the plan; −1 for any other.
+  [[nodiscard]] int rowOf(const base::Problem& problem) const;
+
   [[nodiscard]] int count(base::Severity severity) const;
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;

@@ -147,6 +147,15 @@ void FindingsPanel::selectCorner(int corner) {
   m_corners->setCurrentIndex(m_cornerModel->index(m_selected - 1, 0));
 }
 
+void FindingsPanel::selectProblem(const base::Problem& problem) {
+  const QModelIndex row = m_problemModel->index(m_problemModel->rowOf(problem));
+  if (row.isValid()) {
+    setCurrentIndex(kProblemTab);
+    m_problems->setCurrentIndex(row);
+    m_problems->scrollTo(row);
+  }
+}
+
 void FindingsPanel::setWide(bool wide) {
   m_cornersLayout->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }

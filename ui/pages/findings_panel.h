@@ -27,6 +27,9 @@ public:
   /// Shows a corner in table and card; 0 for none.
   void selectCorner(int corner);
 
+  /// Shows a problem of the plan in the list.
+  void selectProblem(const base::Problem& problem);
+
   [[nodiscard]] int selectedCorner() const {
     return m_selected;
   }

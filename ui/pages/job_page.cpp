@@ -162,6 +162,10 @@ void JobPage::connectViews() {
     selectCorner(corner);
     m_drawing->zoomToCorner(corner);
   });
+  connect(m_drawing, &DrawingView::findingTapped, this, [this](const base::Problem& finding) {
+    m_findings->selectProblem(finding);
+    m_drawing->markPlace(*finding.where);
+  });
   connect(m_profile, &ProfilePlot::cornerTapped, this, &JobPage::selectCorner);
   connect(m_findings, &FindingsPanel::cornerChosen, this, [this](int corner) {
     selectCorner(corner);

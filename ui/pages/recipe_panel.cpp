@@ -46,9 +46,9 @@ double rimSpeed(const recipe::Recipe& recipe) {
   return 2 * base::kPi * recipe.wheelRadius / 1000 * recipe.spindle / 60;
 }
 
-RecipePanel::RecipePanel(const recipe::Recipe& recipe, const recipe::Machine& machine, QWidget* parent)
-    : QWidget(parent), m_recipe(recipe), m_open(new QPushButton(tr("&Open pattern…"))), m_pattern(new QLabel),
-      m_pages(new QStackedWidget), m_rimSpeed(new QLabel), m_complaint(new QLabel) {
+RecipePanel::RecipePanel(recipe::Recipe recipe, const recipe::Machine& machine, QWidget* parent)
+    : QWidget(parent), m_recipe(std::move(recipe)), m_open(new QPushButton(tr("&Open pattern…"))),
+      m_pattern(new QLabel), m_pages(new QStackedWidget), m_rimSpeed(new QLabel), m_complaint(new QLabel) {
   m_open->setObjectName(QStringLiteral("open"));
   m_open->setShortcut(QKeySequence::Open);
   m_complaint->setObjectName(QStringLiteral("complaint"));

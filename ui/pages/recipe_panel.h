@@ -23,7 +23,7 @@ class RecipePanel : public QWidget {
   Q_OBJECT
 
 public:
-  RecipePanel(const recipe::Recipe& recipe, const recipe::Machine& machine, QWidget* parent = nullptr);
+  RecipePanel(recipe::Recipe recipe, const recipe::Machine& machine, QWidget* parent = nullptr);
 
   [[nodiscard]] const recipe::Recipe& recipe() const {
     return m_recipe;

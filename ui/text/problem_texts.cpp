@@ -112,6 +112,8 @@ const std::vector<const char*>& problemTemplates() {
       QT_TRANSLATE_NOOP("Problem", "The contour crosses or touches itself here."),
       QT_TRANSLATE_NOOP("Problem",
                         "Contours {first} and {second} cross or touch here; move them apart in the drawing."),
+      QT_TRANSLATE_NOOP("Problem", "From here on so many contours lie over or within each other that they cannot be "
+                                   "checked (more than {most} comparisons); draw fewer."),
       QT_TRANSLATE_NOOP("Problem",
                         "The {count} joints from here on look like the chords of a curve but stay corners: they are "
                         "joined from a smoothing tolerance of {needed_mm} mm on (now {tolerance_mm} mm)."),

@@ -94,6 +94,11 @@ void DrawingView::zoomToCorner(int corner) {
   }
 }
 
+void DrawingView::markPlace(const geometry::Point& place) {
+  m_marked = place;
+  viewport()->update();
+}
+
 void DrawingView::zoomToPlace(const geometry::Point& place) {
   const geometry::Vector room = geometry::Vector::Constant(kPlaceRoom);
   m_marked = place;
@@ -233,6 +238,26 @@ int DrawingView::cornerAt(const QPointF& place) const {
   return nearest;
 }
 
+const base::Problem* DrawingView::findingAt(const QPointF& place) const {
+  const base::Problem* found = nullptr;
+  double best = kTapReach;
+  if (!m_plan) {
+    return found;
+  }
+  for (const base::Problems* findings : {&m_plan->drawing.problems, &m_plan->drawing.repairs}) {
+    for (const base::Problem& finding : *findings) {
+      const double away = finding.where ? distance(viewportTransform().map(toQt(*finding.where)), place) : kTapReach;
+      const bool worse = found == nullptr || base::severityOf(finding) < base::severityOf(*found);
+      const bool same = found != nullptr && base::severityOf(finding) == base::severityOf(*found);
+      if (away < kTapReach && (worse || (same && away < best))) {
+        best = away;
+        found = &finding;
+      }
+    }
+  }
+  return found;
+}
+
 QRectF DrawingView::labelOf(int corner) const {
   const auto label = std::find_if(m_labels.begin(), m_labels.end(),
                                   [corner](const CornerLabel& candidate) { return candidate.corner == corner; });
@@ -248,7 +273,13 @@ void DrawingView::mouseReleaseEvent(QMouseEvent* event) {
   QGraphicsView::mouseReleaseEvent(event);
   viewport()->setCursor(Qt::ArrowCursor);
   if ((event->pos() - m_pressed).manhattanLength() < QApplication::startDragDistance()) {
-    Q_EMIT cornerTapped(cornerAt(event->position()));
+    const int corner = cornerAt(event->position());
+    const base::Problem* finding = corner == 0 ? findingAt(event->position()) : nullptr;
+    if (finding != nullptr) {
+      Q_EMIT findingTapped(*finding);
+    } else {
+      Q_EMIT cornerTapped(corner);
+    }
   } else {
     m_fitted = false;
   }

@@ -24,11 +24,15 @@ public:
   void selectCorner(int corner);
   /// Brings a corner close enough to see its transition.
   void zoomToCorner(int corner);
+  /// Marks a place of the drawing, without moving to it.
+  void markPlace(const geometry::Point& place);
   /// Brings a place of the drawing into the middle and marks it.
   void zoomToPlace(const geometry::Point& place);
 
   /// The corner whose label or tip is near a place of the view; 0 where there is none.
   [[nodiscard]] int cornerAt(const QPointF& place) const;
+  /// What was found or repaired near a place of the view, the worst of it; null where there is nothing.
+  [[nodiscard]] const base::Problem* findingAt(const QPointF& place) const;
   /// Where a corner's number stands in the view; an invalid rectangle where it is not shown.
   [[nodiscard]] QRectF labelOf(int corner) const;
 
@@ -40,6 +44,8 @@ public Q_SLOTS:
 Q_SIGNALS:
   /// 0: beside every corner.
   void cornerTapped(int corner);
+  /// The sign of a finding, beside every corner.
+  void findingTapped(const arris::base::Problem& finding);
 
 protected:
   void drawBackground(QPainter* painter, const QRectF& rect) override;

@@ -35,10 +35,10 @@ QPushButton, QToolButton {
 QPushButton:pressed, QToolButton:pressed { background: #cdd2d5; }
 QPushButton:checked, QToolButton:checked { background: #44525c; color: #ffffff; }
 QPushButton:disabled, QToolButton:disabled { color: #8a9298; border-color: #c6cbce; }
-QCheckBox { min-height: 44px; spacing: 8px; }
+QCheckBox { min-height: 44px; spacing: 6px; border: 2px solid transparent; }
 QCheckBox::indicator { width: 26px; height: 26px; border: 2px solid #8a9298; border-radius: 4px; background: #ffffff; }
 QCheckBox::indicator:checked { image: url(:/signs/check.svg); }
-QCheckBox:focus { border: 3px solid #1f2428; }
+QCheckBox:focus { border: 2px solid #1f2428; }
 QLineEdit {
   min-height: 40px; padding: 0 8px; font-size: 18px;
   border: 2px solid #8a9298; border-radius: 4px; background: #ffffff;

@@ -101,6 +101,10 @@ TEST(ProblemModel, ShowsTheWorstFirstInWordsWithThePlace) {
   EXPECT_NE(cell(model, 0, 0).find("(at\u00a0X\u00a0"), std::string::npos);
   EXPECT_EQ(model.problem(model.rowCount() - 1).code, base::Code::GapClosed);
   EXPECT_TRUE(QString::fromStdString(cell(model, model.rowCount() - 1, 0)).startsWith("Repaired: A gap of"));
+  for (int row = 0; row < model.rowCount(); ++row) {
+    EXPECT_EQ(model.rowOf(model.problem(row)), row);
+  }
+  EXPECT_EQ(model.rowOf(base::Problem(base::Code::NoContour)), -1);
   // The repair's place is on the table like all others.
   EXPECT_TRUE(
       model.problem(model.rowCount() - 1).where->isApprox(plan->job.placement.motion * geometry::Point(1450, 0)));

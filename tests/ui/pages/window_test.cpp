@@ -237,6 +237,18 @@ TEST_F(Window, ShowsThePlaceOfARepairThatIsTapped) {
   EXPECT_LT((shown - view->viewport()->rect().center()).manhattanLength(), 4);
 }
 
+TEST_F(Window, ShowsTheProblemWhoseSignIsTapped) {
+  open("splashback.dxf"); // its sockets are too small for the wheel
+  auto* view = find<DrawingView>();
+  const auto* model = find<ProblemModel>();
+  const base::Problem second = model->problem(1);
+  ASSERT_EQ(second.code, base::Code::ContourNotEntered);
+  tap(view->viewport(), view->mapFromScene(QPointF(second.where->x(), second.where->y())));
+  EXPECT_EQ(find<FindingsPanel>()->currentIndex(), 1);
+  EXPECT_EQ(find<QAbstractItemView>("problems")->currentIndex().row(), 1);
+  test::keep("window-sign", m_window);
+}
+
 TEST_F(Window, TakesTheSizeCorrectionOnThePageOfThePane) {
   open("rectangle.dxf");
   find<QAbstractButton>("showPane")->click();
@@ -256,6 +268,7 @@ TEST_F(Window, LeavesUngroundWhatTheWheelCannotReachWhenToldSo) {
   test::keep("window-unreached", m_window);
   tap(find<QCheckBox>("accept_unreached"), {14, 22});
   EXPECT_TRUE(job().recipe.acceptUnreached);
+  test::keep("window-accepted", m_window);
   EXPECT_TRUE(job().canBeGround());
   EXPECT_TRUE(text("state").startsWith("Grinding: "));
 }
