@@ -16,7 +16,7 @@ using geometry::Curve;
 using geometry::Point;
 using Broken = std::optional<std::string>;
 
-constexpr double kSamePoint = 1e-6; ///< mm, on a pane that can be ground
+constexpr double kSameSpot = 1e-6; ///< mm, on a pane that can be ground
 
 bool isFinite(const base::Value& value) {
   const double* number = std::get_if<double>(&value.value);
@@ -68,7 +68,7 @@ bool isFinite(const Curve& curve) {
 
 /// Rounding of coordinates far from the origin.
 double samePointAt(const Point& point) {
-  return kSamePoint + 1e-12 * point.cwiseAbs().maxCoeff();
+  return kSameSpot + 1e-12 * point.cwiseAbs().maxCoeff();
 }
 
 Broken brokenChain(const std::vector<Curve>& chain, std::string_view what) {
@@ -138,12 +138,12 @@ Broken brokenTrack(const job::Job& job) {
       return fmt::format("segment {} of the track has a length of {} mm", i, length);
     }
     const double gap = (motion::evaluate(segment, 0).point - reached).norm();
-    if (!(gap <= kSamePoint)) {
+    if (!(gap <= kSameSpot)) {
       return fmt::format("the track has a gap of {} mm before segment {}", gap, i);
     }
     reached = motion::evaluate(segment, length).point;
   }
-  return (reached - job.machine.park).norm() <= kSamePoint ? Broken() : "the track does not end at the park position";
+  return (reached - job.machine.park).norm() <= kSameSpot ? Broken() : "the track does not end at the park position";
 }
 
 Broken brokenProfile(const job::Job& job) {
@@ -174,7 +174,7 @@ Broken brokenSamples(const job::Job& job) {
       return fmt::format("the set-point at {} s is not finite", point.time);
     }
     const Eigen::Array3d beyond = (point.position - job.machine.travel).array().max(-point.position.array());
-    if (beyond.maxCoeff() > kSamePoint) {
+    if (beyond.maxCoeff() > kSameSpot) {
       return fmt::format("the set-point at {} s lies {} mm outside of the travel", point.time, beyond.maxCoeff());
     }
   }
