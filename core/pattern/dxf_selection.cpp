@@ -83,9 +83,7 @@ struct Occurrences {
 };
 
 Problem asProblem(const Refusal& refusal, const Occurrences& occurrences) {
-  const base::Value entity{"entity", refusal.entity};
-  const base::Value count{"count", occurrences.count};
-  Problem problem(refusal.code, {entity, count});
+  Problem problem(refusal.code, {{"entity", refusal.entity}, {"count", occurrences.count}});
   if (!refusal.reason.empty()) {
     problem.values.push_back({"reason", refusal.reason});
   }
