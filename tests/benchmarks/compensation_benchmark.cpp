@@ -31,7 +31,8 @@ std::vector<geometry::Point> serrated(std::int64_t count) {
     const double along = kEdge * static_cast<double>(i % onSide);
     const double inwards =
         kAmplitude * base::squared(std::sin(base::kPi * waves * along / side)) + (i % 2 == 1 ? kTooth : 0);
-    const Eigen::Rotation2Dd turned(base::kPi / 2 * static_cast<double>(i / onSide));
+    const std::int64_t quarterTurns = i / onSide;
+    const Eigen::Rotation2Dd turned(base::kPi / 2 * static_cast<double>(quarterTurns));
     result.emplace_back(turned * geometry::Point(along - side / 2, inwards - side / 2));
   }
   return result;

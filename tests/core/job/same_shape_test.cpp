@@ -201,7 +201,7 @@ void PrintTo(const Case& c, std::ostream* out) {
 class SameShape : public testing::TestWithParam<Case> {
 protected:
   /// Planned from lines and arcs, and from `other`: the same path, the same time.
-  static void expectSameAs(const std::string& other) const {
+  static void expectSameAs(const std::string& other) {
     const Job plain = planText(asEntities(theShape()));
     const Job job = planText(other);
     expectSamePath(plain, job);
