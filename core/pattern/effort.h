@@ -10,7 +10,7 @@ namespace arris::pattern {
 /// Comparisons of curves or contours with each other that one check of a drawing may take, and as many more for each of
 /// them: many times what a pane needs. Where all lie on top of each other they would be the square of their number.
 inline constexpr std::int64_t kMostComparisons = 5'000'000 / base::kCapDivisor;
-inline constexpr std::int64_t kMostComparisonsOfEach = 50;
+inline constexpr std::int64_t kMostComparisonsOfEach = 200;
 
 /// What is left of them.
 class Effort {

@@ -121,19 +121,42 @@ private:
     const std::array<EdgeId, 4> around{next, previous, m_glass.next(next), m_glass.previous(previous)};
     // Neighbours take most away where anything is taken away at all.
     for (const EdgeId edge : around) {
-      if (!m_free.empty() && !keepsDistance(piece, edge)) {
-        m_free.block(m_glass.edges()[edge]);
-      }
+      blockBy(edge, piece);
     }
+    const auto isAround = [&](EdgeId edge) { return std::find(around.begin(), around.end(), edge) != around.end(); };
+    constexpr int kFew = 64;
+    int left = kFew;
+    blockByNear(piece, isAround, [&left] { return --left > 0; });
+    if (left > 0 || m_free.empty()) {
+      return;
+    }
+    // Where very many lie near, those at ever larger steps along the edges, which are sorted by place, mostly leave so
+    // little that few of the many matter.
+    const auto count = static_cast<EdgeId>(m_glass.edges().size());
+    for (EdgeId step = 1; step < count; step *= 2) {
+      blockBy(piece.edge + step < count ? piece.edge + step : 0, piece);
+      blockBy(piece.edge >= step ? piece.edge - step : count - 1, piece);
+    }
+    blockByNear(piece, isAround, [] { return true; });
+  }
+
+  void blockBy(EdgeId edge, const Piece& piece) {
+    if (!m_free.empty() && !keepsDistance(piece, edge)) {
+      m_free.block(m_glass.edges()[edge]);
+    }
+  }
+
+  /// All edges near what is free that are not `done`, as long as there is something free and `goOn` says so.
+  template <typename IsDone, typename GoOn> void blockByNear(const Piece& piece, IsDone isDone, GoOn goOn) {
     if (m_free.empty()) {
       return;
     }
     m_glass.tree().forNear(m_free.box(), m_radius, [&](std::size_t index) {
       const auto edge = static_cast<EdgeId>(index);
-      if (std::find(around.begin(), around.end(), edge) == around.end() && !keepsDistance(piece, edge)) {
-        m_free.block(m_glass.edges()[edge]);
+      if (!isDone(edge)) {
+        blockBy(edge, piece);
       }
-      return !m_free.empty();
+      return !m_free.empty() && goOn();
     });
   }
 

@@ -179,6 +179,17 @@ TEST(SeveralContours, AreFoundToCrossAmongThousands) {
   EXPECT_EQ(test::problemsOf(pattern, Code::ContoursCross).size(), 2U);
 }
 
+TEST(SeveralContours, TooManyWithinEachOtherAreRefusedAndNotComparedOneByOne) {
+  Pieces pieces;
+  for (int i = 0; i < 20000; ++i) {
+    pieces.add(geometry::arcAbout({0, 0}, 10 + 0.1 * i, 0, 2 * base::kPi));
+  }
+  const Pattern pattern = joinPieces(pieces, kJoinGap, 0);
+  EXPECT_EQ(pattern.contours.size(), 20000u);
+  EXPECT_TRUE(std::any_of(pattern.problems.begin(), pattern.problems.end(),
+                          [](const base::Problem& p) { return p.code == Code::ContoursTooDense && p.where; }));
+}
+
 TEST(Join, APieceThatEndsOnAnotherIsToldWhereAndLeavesTheRestRight) {
   const Arc ring = geometry::arcAbout({300, 50}, 40, 0.3, 2 * base::kPi);
   std::vector<Curve> pieces = both(square(0, 0, 100), {ring, Line{{30, 0}, {30, 40}}, Line{{260, 50}, {250, 10}}});
