@@ -24,9 +24,6 @@ constexpr double kSliver = 1e-7;
 /// Spans meet where their ends are nearer to each other than this, mm.
 constexpr double kMeet = 1e-6;
 
-/// Where two paths meet almost tangentially, rounding moves their meeting along them by up to this, mm.
-constexpr double kMeetAlong = 1;
-
 /// Where three edges are touched in one point to within rounding, a wheel larger by this is tried instead, mm.
 constexpr double kLarger = 1e-6;
 constexpr int kTries = 4;
@@ -193,11 +190,15 @@ public:
         m_hasPrevious(m_spans.size(), false) {
     joinNeighbours(rings);
     joinMeeting(kMeet, [](std::uint32_t, std::uint32_t) { return true; });
-    joinMeeting(kMeetAlong, [this](std::uint32_t span, std::uint32_t next) { return bringTogether(span, next); });
+    // Where two paths meet almost tangentially, rounding moves their meeting far along them.
+    joinMeeting(m_radius, [this](std::uint32_t span, std::uint32_t next) { return bringTogether(span, next); });
   }
 
-  [[nodiscard]] bool complete() const {
-    return std::find(m_next.begin(), m_next.end(), kNone) == m_next.end();
+  /// The first end that no start follows.
+  [[nodiscard]] std::optional<Point> open() const {
+    const auto found = std::find(m_next.begin(), m_next.end(), kNone);
+    return found == m_next.end() ? std::nullopt
+                                 : std::optional<Point>(endOf(static_cast<std::uint32_t>(found - m_next.begin())));
   }
 
   std::vector<Loop> loops() {
@@ -357,8 +358,8 @@ Offset tryOffset(const Glass& glass, double radius) {
   result.radius = radius;
   result.pieces = maker.take();
   Stitcher stitcher(glass, radius, result.pieces, maker.rings(), cutAll(glass, result.pieces, radius));
-  result.complete = stitcher.complete();
-  if (result.complete) {
+  result.open = stitcher.open();
+  if (!result.open) {
     result.loops = stitcher.loops();
   }
   return result;
@@ -368,7 +369,7 @@ Offset tryOffset(const Glass& glass, double radius) {
 
 Offset offsetOf(const Glass& glass, double radius) {
   Offset result = tryOffset(glass, radius);
-  for (int i = 1; i < kTries && !result.complete; ++i) {
+  for (int i = 1; i < kTries && result.open; ++i) {
     result = tryOffset(glass, radius + i * kLarger);
   }
   return result;

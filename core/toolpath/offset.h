@@ -3,6 +3,7 @@
 #include "core/toolpath/glass.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace arris::toolpath {
@@ -31,9 +32,9 @@ using Loop = std::vector<Span>;
 /// All that a wheel of one radius can do with the glass.
 struct Offset {
   double radius = 0; ///< mm; larger than asked for by some nanometres where that was needed to tell what touches
-  std::vector<Piece> pieces; ///< in the order of the edges
-  std::vector<Loop> loops;   ///< in the order of their first pieces
-  bool complete = true;      ///< false where loops could not be closed: then there are none
+  std::vector<Piece> pieces;           ///< in the order of the edges
+  std::vector<Loop> loops;             ///< in the order of their first pieces
+  std::optional<geometry::Point> open; ///< an end that rounding left without a start that follows: then no loops
 };
 
 /// The set of all points at the distance `radius` from the glass, on the wheel's side of it: every edge moved by the

@@ -214,9 +214,10 @@ Toolpath makeToolpath(const std::vector<pattern::Contour>& placed, const recipe:
     return result;
   }
   const Offset offset = offsetOf(glass, recipe.wheelRadius);
-  if (!offset.complete) { // what of it stays unground would be told wrongly
+  if (offset.open) { // what of it stays unground would be told wrongly
     Toolpath result;
-    result.problems.push_back(Problem(Code::NumericalFailure, {{"reason", "the wheel path could not be closed"}}));
+    result.problems.push_back(
+        Problem(Code::NumericalFailure, {{"reason", "the wheel path could not be closed"}}).at(*offset.open));
     return result;
   }
   std::vector<WheelLoop> loops;
