@@ -147,6 +147,16 @@ std::span<const MachineNumberField> machineNumberFields() {
   static constexpr std::array kFields = {
       MachineNumberField{"plunge_feed_mm_min", "mm/min", "Feed of plunges", &Machine::plungeFeed, 1, 60000},
       MachineNumberField{"period_s", "s", "Servo period", &Machine::period, 0.00025, 0.02},
+      MachineNumberField{"home_search_mm_min", "mm/min", "Homing: speed towards the switch", &Machine::homeSearch, 1,
+                         60000},
+      MachineNumberField{"home_latch_mm_min", "mm/min", "Homing: speed off the switch", &Machine::homeLatch, 1, 6000},
+      MachineNumberField{"jog_mm_min", "mm/min", "Fastest jog", &Machine::jogSpeed, 1, 60000},
+      MachineNumberField{"set_point_lead_s", "s", "Set-points ahead of time", &Machine::setPointLead, 0.001, 0.2},
+      MachineNumberField{"following_error_mm", "mm", "Greatest following error", &Machine::followingError, 0.01, 50},
+      MachineNumberField{"back_off_mm", "mm", "Backing off in a hold", &Machine::backOff, 0, 100},
+      MachineNumberField{"back_off_after_s", "s", "At rest before backing off", &Machine::backOffAfter, 0, 60},
+      MachineNumberField{"spindle_wait_s", "s", "Longest wait for spindle and coolant", &Machine::spindleWait, 0.1,
+                         120},
   };
   return kFields;
 }
@@ -158,6 +168,7 @@ std::span<const MachineAxesField> machineAxesFields() {
       MachineAxesField{"max_accel_mm_s2", "mm/s²", "Greatest accelerations of the axes", &Machine::maxAccel, 0.1,
                        20000},
       MachineAxesField{"park_mm", "mm", "Park position", &Machine::park, 0, kFarthestPlace},
+      MachineAxesField{"home_at_mm", "mm", "Reference switches", &Machine::homeAt, 0, kFarthestPlace},
   };
   return kFields;
 }
@@ -211,7 +222,7 @@ Problems check(const Machine& machine) {
     append(problems, checkRange(field.key, machine.*field.member, field.least, field.most, field.unit));
   }
   for (const MachineAxesField& field : machineAxesFields()) {
-    const bool insideTravel = field.member == &Machine::park;
+    const bool insideTravel = field.member == &Machine::park || field.member == &Machine::homeAt;
     for (int axis = 0; axis < 3; ++axis) {
       const double most = insideTravel ? std::min(field.most, machine.travel[axis]) : field.most;
       append(problems, checkRange(fmt::format("{} ({})", field.key, kAxes.at(static_cast<std::size_t>(axis))),

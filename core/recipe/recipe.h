@@ -69,6 +69,16 @@ struct Machine {
   double plungeFeed = 1000;                     ///< mm/min
   Eigen::Vector3d park{0, 0, 120};              ///< mm
   double period = 0.001;                        ///< s, servo period
+  Eigen::Vector3d homeAt{0, 0, 120}; ///< mm, where an axis stands when its reference switch comes on; the switch is on
+                                     ///< from there to the nearer end of the travel
+  double homeSearch = 1500;          ///< mm/min, towards the switch
+  double homeLatch = 60;             ///< mm/min, off the switch again, when the place is taken
+  double jogSpeed = 3000;            ///< mm/min, the fastest jog
+  double setPointLead = 0.03;        ///< s, how far ahead of time set-points are handed to the axes
+  double followingError = 1;         ///< mm, more than this between set-point and measured place is a fault
+  double backOff = 5;                ///< mm along the normal, when the wheel stands turning on the glass
+  double backOffAfter = 2;           ///< s at rest
+  double spindleWait = 15;           ///< s, for the spindle to reach its speed and the coolant to flow
 
   bool operator==(const Machine&) const = default;
 };

@@ -288,6 +288,8 @@ TEST(MachineJson, WhatIsWrittenIsReadBackExactly) {
   machine.plungeFeed = 77;
   machine.park = {3000.5, 0.25, 250};
   machine.period = 0.00025;
+  machine.homeAt = {3000.5, 1, 0};
+  machine.backOff = 7.25;
   for (const Machine& m : {machine, Machine{}}) {
     const auto read = readMachine(writeMachine(m), "m.json");
     EXPECT_TRUE(read.problems.empty()) << firstProblem(read.problems);
@@ -298,7 +300,9 @@ TEST(MachineJson, WhatIsWrittenIsReadBackExactly) {
 TEST(MachineJson, TheDefaultMachineLooksLikeThis) {
   const auto read = readMachine(R"({"arris_machine": 1, "travel_mm": [1500, 2500, 120],
       "max_speed_mm_min": [12000, 12000, 3000], "max_accel_mm_s2": [500, 500, 500], "plunge_feed_mm_min": 1000,
-      "park_mm": [0, 0, 120], "period_s": 0.001})",
+      "park_mm": [0, 0, 120], "period_s": 0.001, "home_at_mm": [0, 0, 120], "home_search_mm_min": 1500,
+      "home_latch_mm_min": 60, "jog_mm_min": 3000, "set_point_lead_s": 0.03, "following_error_mm": 1,
+      "back_off_mm": 5, "back_off_after_s": 2, "spindle_wait_s": 15})",
                                 "m.json");
   EXPECT_TRUE(read.problems.empty());
   EXPECT_EQ(read.value, Machine{});

@@ -128,8 +128,11 @@ TEST(Report, HasEveryKeyOfRecipeAndMachineThatIsInEffect) {
   expectKeys(recipe::placeFields());
   expectKeys(recipe::listFields());
   expectKeys(recipe::flagFields());
-  EXPECT_EQ(keysOf(r["machine"]), (std::set<std::string>{"travel_mm", "max_speed_mm_min", "max_accel_mm_s2",
-                                                         "plunge_feed_mm_min", "park_mm", "period_s"}));
+  EXPECT_EQ(keysOf(r["machine"]),
+            (std::set<std::string>{"travel_mm", "max_speed_mm_min", "max_accel_mm_s2", "plunge_feed_mm_min", "park_mm",
+                                   "period_s", "home_at_mm", "home_search_mm_min", "home_latch_mm_min", "jog_mm_min",
+                                   "set_point_lead_s", "following_error_mm", "back_off_mm", "back_off_after_s",
+                                   "spindle_wait_s"}));
   EXPECT_EQ(r["placement"]["x_mm"], 300.0);
   EXPECT_EQ(r["placement"]["y_mm"], 400.0);
   EXPECT_EQ(r["placement"]["rotation_deg"], 30.0);
