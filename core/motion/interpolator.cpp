@@ -40,9 +40,8 @@ SetPoint setPointAt(const Piece& piece, const Segment& segment, double time) {
   return point;
 }
 
-Interpolator::Interpolator(std::span<const Segment> track, std::span<const Interval> intervals, AxisLimits limits)
-    : m_track(track), m_intervals(intervals), m_limits(std::move(limits)) {
-  assert(!m_intervals.empty());
+Interpolator::Interpolator(const TrackView& track, AxisLimits limits) : m_track(track), m_limits(std::move(limits)) {
+  assert(m_track.end > 0);
   enterInterval();
   decide();
 }
@@ -70,8 +69,11 @@ SetPoint Interpolator::advanceTo(double time) {
     }
   }
   m_time = std::max(m_time, time);
-  const Segment& on = m_track[static_cast<std::size_t>(m_piece.segment)];
-  return setPointAt(m_piece, on, std::min(time, m_piece.time + m_piece.duration));
+  return setPointAt(m_piece, m_track.segment(m_piece.segment), std::min(time, m_piece.time + m_piece.duration));
+}
+
+bool Interpolator::standsStill() const {
+  return m_piece.duration == kNever;
 }
 
 bool Interpolator::nextPiece() {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace arris::motion {
@@ -35,14 +36,46 @@ struct SetPoint {
 /// The set-point of a piece at an instant inside it.
 [[nodiscard]] SetPoint setPointAt(const Piece& piece, const Segment& segment, double time);
 
+/// A track in memory, as far as it is there: rings whose index i stands at i & mask. A track that stands there as a
+/// whole needs no ring: its mask is all ones.
+struct TrackView {
+  const Segment* segments = nullptr;
+  std::size_t segmentMask = 0;
+  const Interval* intervals = nullptr;
+  std::size_t intervalMask = 0;
+  std::size_t end = 0; ///< of the intervals that are there
+
+  TrackView() = default;
+
+  TrackView(std::span<const Segment> track, std::span<const Interval> all)
+      : segments(track.data()), segmentMask(~std::size_t{0}), intervals(all.data()), intervalMask(~std::size_t{0}),
+        end(all.size()) {}
+
+  [[nodiscard]] const Interval& interval(std::size_t index) const {
+    return intervals[index & intervalMask];
+  }
+
+  [[nodiscard]] const Segment& segment(int index) const {
+    return segments[static_cast<std::size_t>(index) & segmentMask];
+  }
+};
+
 /// The forward pass: from rest at the start of a track to rest at its end, at every instant with the largest λ̈ that the
 /// limits admit while λ̇ ≤ c(λ): for an override o up to 1 c = o·min(K, feed), above 1 c = min(K, o·feed). What it does
 /// depends on the instants at which the override changes, never on those at which it is asked. The preview runs it
-/// ahead of time, the controller at the servo period. Nothing here allocates, locks or throws. Track and intervals are
-/// referred to and must outlive it; neither may be empty.
+/// ahead of time, the controller at the servo period. Nothing here allocates, locks or throws. The track is referred to
+/// and must outlive it; it may not be empty.
 class Interpolator {
 public:
-  Interpolator(std::span<const Segment> track, std::span<const Interval> intervals, AxisLimits limits);
+  Interpolator(const TrackView& track, AxisLimits limits);
+
+  Interpolator(std::span<const Segment> track, std::span<const Interval> intervals, AxisLimits limits)
+      : Interpolator(TrackView(track, intervals), std::move(limits)) {}
+
+  /// More of the track is there: its intervals up to before `end`. Not to be called once `atEnd`.
+  void extend(std::size_t end) {
+    m_track.end = end;
+  }
 
   /// Feed override as a factor, 0.1 to 1.5, from the instant reached on; 0 is a feed hold.
   void setOverride(double factor);
@@ -59,9 +92,17 @@ public:
   /// hold.
   bool nextPiece();
 
-  /// At rest at the end of the track.
+  /// At the end of the track, as far as it is there.
   [[nodiscard]] bool atEnd() const {
-    return m_index == m_intervals.size();
+    return m_index == m_track.end;
+  }
+
+  /// At rest in a hold.
+  [[nodiscard]] bool standsStill() const;
+
+  /// The interval that the wheel is on.
+  [[nodiscard]] std::size_t intervalIndex() const {
+    return m_index;
   }
 
   /// The instant reached, s from the start.
@@ -82,11 +123,11 @@ private:
   using Lines = std::array<Line, 3>;
 
   [[nodiscard]] const Interval& interval() const {
-    return m_intervals[m_index];
+    return m_track.interval(m_index);
   }
 
   [[nodiscard]] const Segment& segment() const {
-    return m_track[static_cast<std::size_t>(interval().segment)];
+    return m_track.segment(interval().segment);
   }
 
   [[nodiscard]] Lines lines() const;
@@ -98,8 +139,7 @@ private:
   void enterInterval();
   void standStill();
 
-  std::span<const Segment> m_track;
-  std::span<const Interval> m_intervals;
+  TrackView m_track;
   AxisLimits m_limits;
   double m_override = 1;
   std::size_t m_index = 0;

@@ -232,4 +232,9 @@ std::vector<Interval> speedLimits(const std::vector<Segment>& track, const AxisL
   return result;
 }
 
+Interval restToRest(const Segment& straight, const AxisLimits& limits) {
+  const double cap2 = uniformCap2(straight, limits);
+  return {0, 0, parameterLength(straight), cap2, cap2, 0, uniformAcceleration(straight, limits)};
+}
+
 } // namespace arris::motion

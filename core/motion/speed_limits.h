@@ -9,8 +9,8 @@ namespace arris::motion {
 
 /// The limits of the axes. Under AccelerationRule::Combined X and Y bind by the resultant √(a_x²+a_y²) alone.
 struct AxisLimits {
-  Eigen::Vector3d acceleration; ///< mm/s²
-  Eigen::Vector3d speed;        ///< mm/s
+  Eigen::Vector3d acceleration{0, 0, 0}; ///< mm/s²
+  Eigen::Vector3d speed{0, 0, 0};        ///< mm/s
   recipe::AccelerationRule rule = recipe::AccelerationRule::PerAxis;
 };
 
@@ -40,5 +40,8 @@ inline constexpr double kPlanningShare = 1 - 3e-6;
 /// The backward pass: the highest speed from which every later limit can still be kept, over a whole track that ends at
 /// rest. Reachability after Pham & Pham (TOPP-RA), with the limits held at both ends of every interval.
 [[nodiscard]] std::vector<Interval> speedLimits(const std::vector<Segment>& track, const AxisLimits& limits);
+
+/// The one interval of a straight move from rest to rest by itself, without a list: for the control loop.
+[[nodiscard]] Interval restToRest(const Segment& straight, const AxisLimits& limits);
 
 } // namespace arris::motion

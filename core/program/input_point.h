@@ -49,8 +49,10 @@ struct InputPoint {
   double cornerAngle = 0;                                ///< β, rad
   geometry::Vector accelerations{0, 0};                  ///< a_x, a_y, mm/s²
   double decelerationLength = 0, accelerationLength = 0; ///< L_d, L_a that the profile has, mm
-  int limits = 0;                                        ///< how many speed limits follow for the segment itself
-  Transition transition;                                 ///< where the segment stands before a sharp corner
+  double room = 0; ///< mm, how far the wheel may go off the glass along the normal anywhere on the segment
+  double transitionRoom = 0;
+  int limits = 0;        ///< how many speed limits follow for the segment itself
+  Transition transition; ///< where the segment stands before a sharp corner
   JobStretch place;
   JobStretch transitionPlace;
 };

@@ -187,23 +187,27 @@ public:
   Stitcher(const Glass& glass, double radius, const std::vector<Piece>& pieces, const std::vector<PieceRing>& rings,
            std::vector<Span> spans)
       : m_glass(glass), m_radius(radius), m_pieces(pieces), m_spans(std::move(spans)), m_next(m_spans.size(), kNone),
-        m_hasPrevious(m_spans.size(), false) {
+        m_hasPrevious(m_spans.size(), false), m_dropped(m_spans.size(), false) {
     joinNeighbours(rings);
     joinMeeting(kMeet, [](std::uint32_t, std::uint32_t) { return true; });
     // Where two paths meet almost tangentially, rounding moves their meeting far along them.
     joinMeeting(m_radius, [this](std::uint32_t span, std::uint32_t next) { return bringTogether(span, next); });
+    dropDoubles();
   }
 
   /// The first end that no start follows.
   [[nodiscard]] std::optional<Point> open() const {
-    const auto found = std::find(m_next.begin(), m_next.end(), kNone);
-    return found == m_next.end() ? std::nullopt
-                                 : std::optional<Point>(endOf(static_cast<std::uint32_t>(found - m_next.begin())));
+    for (std::uint32_t i = 0; i < m_next.size(); ++i) {
+      if (m_next[i] == kNone && !m_dropped[i]) {
+        return endOf(i);
+      }
+    }
+    return std::nullopt;
   }
 
   std::vector<Loop> loops() {
     std::vector<Loop> result;
-    std::vector<bool> taken(m_spans.size(), false);
+    std::vector<bool> taken = m_dropped;
     for (std::uint32_t first = 0; first < m_spans.size(); ++first) {
       Loop loop;
       for (std::uint32_t i = first; !taken[i]; i = m_next[i]) {
@@ -286,6 +290,46 @@ private:
     return true;
   }
 
+  // Where more paths than one run within rounding of each other, one of them may be left over with open ends: it is
+  // dropped where the others go all along it.
+  void dropDoubles() {
+    for (std::uint32_t first = 0; first < m_spans.size(); ++first) {
+      if (m_hasPrevious[first]) {
+        continue;
+      }
+      std::vector<std::uint32_t> open;
+      for (std::uint32_t i = first; i != kNone; i = m_next[i]) {
+        open.push_back(i);
+      }
+      if (std::all_of(open.begin(), open.end(), [&](std::uint32_t i) { return isDouble(i); })) {
+        for (const std::uint32_t i : open) {
+          m_dropped[i] = true;
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] bool isDouble(std::uint32_t span) const {
+    constexpr int kPlaces = 8;
+    for (int k = 0; k <= kPlaces; ++k) {
+      const double lambda = m_spans[span].from + (m_spans[span].to - m_spans[span].from) * k / kPlaces;
+      const Point place = geometry::pointAt(pathOf(span), lambda);
+      bool isBeside = false;
+      for (std::uint32_t i = 0; i < m_spans.size() && !isBeside; ++i) {
+        const bool isClosed = m_next[i] != kNone && m_hasPrevious[i];
+        if (isClosed && i != span) {
+          const geometry::Nearest near = geometry::nearest(pathOf(i), place);
+          isBeside =
+              near.distance <= kMeet && near.lambda >= m_spans[i].from - kMeet && near.lambda <= m_spans[i].to + kMeet;
+        }
+      }
+      if (!isBeside) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   /// Joins each end that is left to the nearest start within `reach` where `mayJoin`.
   template <typename MayJoin> void joinMeeting(double reach, MayJoin mayJoin) {
     struct Start {
@@ -330,6 +374,7 @@ private:
   std::vector<Span> m_spans;
   std::vector<std::uint32_t> m_next; ///< by span
   std::vector<bool> m_hasPrevious;   ///< by span
+  std::vector<bool> m_dropped;       ///< by span
 };
 
 std::vector<Span> cutAll(const Glass& glass, const std::vector<Piece>& pieces, double radius) {

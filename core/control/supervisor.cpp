@@ -1,0 +1,247 @@
+#include "core/control/supervisor.h"
+
+#include "core/toolpath/glass.h"
+
+#include <cmath>
+#include <utility>
+
+namespace arris::control {
+
+using program::Kind;
+
+namespace {
+
+/// At the park position, mm.
+constexpr double kParked = 1e-6;
+
+} // namespace
+
+Supervisor::Supervisor(const recipe::Machine& machine, Channels& channels, Listener listener)
+    : m_machine(machine), m_channels(channels), m_listener(std::move(listener)) {}
+
+bool Supervisor::send(const Command& command) {
+  return m_channels.commands.push(command);
+}
+
+void Supervisor::serve() {
+  send(command::Heartbeat{});
+  FaultReport fault;
+  while (m_channels.faults.pop(fault)) {
+    if (m_listener.fault) {
+      m_listener.fault(fault);
+    }
+  }
+  Report report;
+  while (m_channels.reports.pop(report)) {
+    take(report);
+  }
+  doWhatWaits();
+  supply();
+}
+
+void Supervisor::take(const Report& report) {
+  noteRun(report);
+  watchPanel(report);
+  m_latest = report;
+  if (m_listener.period) {
+    m_listener.period(report);
+  }
+}
+
+// A run ends where the program has come to its end, or was broken off.
+void Supervisor::noteRun(const Report& report) {
+  if (!m_isRun) {
+    m_isRun = report.runTick >= 0;
+    m_jobState = m_isRun ? JobState::Running : m_jobState;
+    return;
+  }
+  const bool ended = report.state == State::Idle && m_latest.state == State::Running;
+  if (ended) {
+    ++m_done;
+  }
+  if (ended || report.program == 0) {
+    m_jobState = ended ? JobState::Ended : JobState::Aborted;
+    m_isRun = false;
+  } else {
+    const bool held = report.state == State::Held || report.state == State::Holding || report.state == State::Stepping;
+    m_jobState = held ? JobState::Interrupted : JobState::Running;
+  }
+}
+
+// What a button asks for beyond what the controller can do by itself: a program to be planned first.
+void Supervisor::watchPanel(const Report& report) {
+  const bool pressed = report.inputs.cycleStart && !m_latest.inputs.cycleStart && report.tick > 0;
+  if (pressed && report.state == State::Held && (report.aside != Aside::OnPath || report.kind == Kind::Step)) {
+    m_wantsResume = true;
+  } else if (pressed && report.state == State::Idle && m_job) {
+    m_latest = report;
+    start();
+  }
+}
+
+void Supervisor::doWhatWaits() {
+  if (m_latest.state != State::Held) {
+    const bool goesOn = m_latest.state == State::Holding || m_latest.state == State::Stepping;
+    m_wantsResume = m_wantsResume && goesOn;
+    m_wantsStep = goesOn ? m_wantsStep : 0;
+    return;
+  }
+  if (m_latest.aside == Aside::BackingOff || m_latest.program != m_number) { // soon
+    return;
+  }
+  const bool onPath = m_latest.aside == Aside::OnPath;
+  if (std::exchange(m_wantsResume, false)) {
+    if (onPath && m_latest.kind != Kind::Step) {
+      send(command::Resume{});
+    } else {
+      launch(program::resumeProgram(*m_job, m_latest.place, m_job->recipe.overlap, m_latest.commanded), false);
+    }
+  } else if (m_wantsStep != 0 && (!onPath || m_machine.backOff == 0)) {
+    auto step = program::stepProgram(*m_job, m_latest.place, std::exchange(m_wantsStep, 0), m_latest.beside,
+                                     m_latest.commanded);
+    if (step) {
+      launch(std::move(step->program), false);
+    }
+  }
+}
+
+void Supervisor::supply() {
+  while (m_stream && !m_stream->done() && m_channels.buffers.put(m_stream->pair())) {
+    m_stream->advance();
+  }
+}
+
+bool Supervisor::launch(program::Program program, bool beginsRun) {
+  m_program = std::move(program);
+  ++m_number;
+  m_stream.emplace(m_program, m_number, [this](int segment) { return m_room ? m_room->beside(segment, m_machine.backOff) : 0; });
+  ProgramHeader header;
+  header.number = m_number;
+  header.kind = m_program.kind;
+  header.limits = m_program.limits;
+  if (m_job) {
+    header.clearanceHeight = job::heightsOf(m_job->recipe, m_job->machine).clearance;
+    header.wheelSide = toolpath::wheelSide(m_job->recipe.direction);
+    header.spindleSpeed = m_program.kind == Kind::Positioning ? 0 : m_job->recipe.spindle;
+  }
+  header.beginsRun = beginsRun;
+  const bool sent = send(command::Load{header}) && send(command::Start{});
+  supply();
+  return sent;
+}
+
+bool Supervisor::isIdle() const {
+  return m_latest.state == State::Idle && m_latest.drivesReady && m_latest.program == 0;
+}
+
+bool Supervisor::enable() {
+  return m_latest.state == State::Off && send(command::Enable{});
+}
+
+bool Supervisor::disable() {
+  return next(m_latest.state, Event::Disable).has_value() && send(command::Disable{});
+}
+
+bool Supervisor::home() {
+  return next(m_latest.state, Event::Home).has_value() && m_latest.drivesReady && send(command::Home{});
+}
+
+bool Supervisor::acknowledge() {
+  return next(m_latest.state, Event::Acknowledge).has_value() && send(command::Acknowledge{});
+}
+
+bool Supervisor::setOrigin(const Eigen::Vector3d& origin) {
+  return isIdle() && origin.allFinite() && send(command::SetOrigin{origin});
+}
+
+bool Supervisor::jogAt(const Eigen::Vector3d& velocity) {
+  const bool allowed = m_latest.state == State::Jogging || (next(m_latest.state, Event::Jog) && m_latest.drivesReady);
+  return allowed && send(command::JogAt{velocity});
+}
+
+bool Supervisor::jogBy(const Eigen::Vector3d& way) {
+  const bool allowed = m_latest.state != State::Jogging && next(m_latest.state, Event::Jog) && m_latest.drivesReady;
+  return allowed && send(command::JogBy{way});
+}
+
+bool Supervisor::spindleByHand(double speed) {
+  return isIdle() && send(command::SpindleByHand{speed});
+}
+
+bool Supervisor::coolantByHand(bool on) {
+  return isIdle() && send(command::CoolantByHand{on});
+}
+
+void Supervisor::setOverride(double factor) {
+  send(command::Override{factor});
+}
+
+bool Supervisor::load(std::shared_ptr<const job::Job> job) {
+  if (m_isRun || !job || !job->canBeGround()) {
+    return false;
+  }
+  m_room = std::make_unique<program::Room>(*job);
+  m_job = std::move(job);
+  m_jobState = JobState::Initialized;
+  m_done = 0;
+  return true;
+}
+
+bool Supervisor::unload() {
+  if (m_isRun) {
+    return false;
+  }
+  m_room.reset();
+  m_job.reset();
+  m_jobState = JobState::Idle;
+  return true;
+}
+
+bool Supervisor::start() {
+  if (!isIdle() || !m_latest.homed || !m_job) {
+    return false;
+  }
+  const bool isParked = (m_latest.commanded - m_job->machine.park).cwiseAbs().maxCoeff() <= kParked;
+  return launch(isParked ? program::jobProgram(*m_job)
+                         : program::resumeProgram(*m_job, {0, 0}, m_job->recipe.overlap, m_latest.commanded),
+                true);
+}
+
+bool Supervisor::startFrom(const program::JobPlace& place) {
+  if (!isIdle() || !m_latest.homed || !m_job) {
+    return false;
+  }
+  return launch(program::resumeProgram(*m_job, place, m_job->recipe.overlap, m_latest.commanded), true);
+}
+
+bool Supervisor::hold() {
+  return next(m_latest.state, Event::Hold).has_value() && send(command::Hold{});
+}
+
+bool Supervisor::resume() {
+  m_wantsResume = m_latest.state == State::Held || m_latest.state == State::Holding;
+  return m_wantsResume;
+}
+
+bool Supervisor::step(double distance) {
+  const bool allowed = m_latest.state == State::Held && m_job && std::isfinite(distance) && distance != 0;
+  m_wantsStep = allowed ? distance : 0;
+  return allowed;
+}
+
+void Supervisor::stop() {
+  m_wantsResume = false;
+  m_wantsStep = 0;
+  send(command::Stop{});
+}
+
+bool Supervisor::trace() {
+  return isIdle() && m_latest.homed && m_job && launch(program::traceProgram(*m_job, m_latest.commanded), false);
+}
+
+bool Supervisor::park() {
+  const recipe::Recipe recipe = m_job ? m_job->recipe : recipe::Recipe{};
+  return isIdle() && m_latest.homed && launch(program::parkProgram(recipe, m_machine, m_latest.commanded), false);
+}
+
+} // namespace arris::control

@@ -1,0 +1,108 @@
+#pragma once
+
+#include "core/control/channels.h"
+#include "core/program/manoeuvres.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace arris::control {
+
+/// The operator's side of the controller: keeps the job that is loaded, supplies the rotary buffers, plans steps and
+/// re-entries, and turns what the operator wants into commands when their time has come. Shares nothing with the
+/// controller but the channels; for one thread.
+class Supervisor {
+public:
+  /// Hears of every period and of every fault, in order.
+  struct Listener {
+    std::function<void(const Report&)> period;
+    std::function<void(const FaultReport&)> fault;
+  };
+
+  Supervisor(const recipe::Machine& machine, Channels& channels, Listener listener = {});
+
+  /// To be called every few hundredths of a second: without it for half a second the controller stops. Takes the
+  /// reports, supplies the buffers, does what waits for its time.
+  void serve();
+
+  /// The last period that was reported.
+  [[nodiscard]] const Report& latest() const {
+    return m_latest;
+  }
+
+  [[nodiscard]] JobState jobState() const {
+    return m_jobState;
+  }
+
+  /// The job that is loaded, or none. A job is frozen while it is loaded.
+  [[nodiscard]] const std::shared_ptr<const job::Job>& job() const {
+    return m_job;
+  }
+
+  /// Panes ground of those ordered.
+  [[nodiscard]] int panesDone() const {
+    return m_done;
+  }
+
+  // What the operator wants. False where the state does not allow it; nothing is done then. What is allowed is on its
+  // way to the controller when the call returns.
+
+  bool enable();
+  bool disable();
+  bool home();
+  bool acknowledge();
+  bool setOrigin(const Eigen::Vector3d& origin);
+  bool jogAt(const Eigen::Vector3d& velocity);
+  bool jogBy(const Eigen::Vector3d& way);
+  bool spindleByHand(double speed);
+  bool coolantByHand(bool on);
+  void setOverride(double factor);
+
+  /// A job that can be ground, in a state without a program.
+  bool load(std::shared_ptr<const job::Job> job);
+  bool unload();
+
+  /// Cycle start: the next pane.
+  bool start();
+
+  /// The job again from a place where it was broken off, once the operator has said so.
+  bool startFrom(const program::JobPlace& place);
+  bool hold();
+
+  /// On along the path; where the wheel has gone off the glass by a lead-in before the place.
+  bool resume();
+
+  /// Along the path while held, mm, negative back; as soon as the wheel is off the glass.
+  bool step(double distance);
+  void stop();
+  bool trace();
+  bool park();
+
+private:
+  void take(const Report& report);
+  void noteRun(const Report& report);
+  void watchPanel(const Report& report);
+  void doWhatWaits();
+  void supply();
+  bool send(const Command& command);
+  bool launch(program::Program program, bool beginsRun);
+  [[nodiscard]] bool isIdle() const;
+
+  recipe::Machine m_machine;
+  Channels& m_channels;
+  Listener m_listener;
+  std::shared_ptr<const job::Job> m_job;
+  std::unique_ptr<program::Room> m_room; ///< beside the job's way
+  program::Program m_program;
+  std::optional<program::Stream> m_stream;
+  std::uint32_t m_number = 0;
+  Report m_latest;
+  JobState m_jobState = JobState::Idle;
+  bool m_isRun = false; ///< a run has begun and not ended
+  int m_done = 0;
+  bool m_wantsResume = false;
+  double m_wantsStep = 0;
+};
+
+} // namespace arris::control

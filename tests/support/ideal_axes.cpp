@@ -1,0 +1,40 @@
+#include "tests/support/ideal_axes.h"
+
+namespace arris::test {
+
+IdealAxes::IdealAxes(const recipe::Machine& machine, const Eigen::Vector3d& standsAt, int lead)
+    : m_machine(machine), m_standsAt(standsAt), m_lead(lead) {
+  inputs.vacuumHolds = true;
+}
+
+control::Feedback IdealAxes::read() {
+  control::Feedback feedback = m_feedback;
+  feedback.inputs = inputs;
+  feedback.inputs.driveReady = m_outputs.driveEnable;
+  feedback.inputs.spindleAtSpeed = spindleWorks && m_outputs.spindleSpeed > 0;
+  feedback.inputs.coolantFlows = coolantWorks && m_outputs.coolant;
+  const Eigen::Vector3d place = m_standsAt + m_feedback.position;
+  for (std::size_t i = 0; i < control::kAxes; ++i) {
+    const auto axis = static_cast<int>(i);
+    const double at = m_machine.homeAt[axis];
+    feedback.inputs.reference[i] = at > m_machine.travel[axis] / 2 ? place[axis] >= at : place[axis] <= at;
+  }
+  return feedback;
+}
+
+bool IdealAxes::write(const Eigen::Vector3d& setPoint, const control::Outputs& outputs) {
+  m_outputs = outputs;
+  m_queue.push_back(setPoint);
+  if (static_cast<int>(m_queue.size()) > m_lead && answers) {
+    m_feedback.position = m_queue.front();
+    m_queue.pop_front();
+    ++m_feedback.tick;
+  }
+  return true;
+}
+
+int IdealAxes::queued() {
+  return static_cast<int>(m_queue.size());
+}
+
+} // namespace arris::test
