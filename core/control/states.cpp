@@ -6,83 +6,84 @@
 namespace arris::control {
 namespace {
 
-using enum State;
+constexpr auto table() {
+  using enum State;
+  return std::array{Transition{Off, Event::Enable, NotHomed},
+                    Transition{Off, Event::Enable, Idle}, // where the places are still known
 
-constexpr std::array kTransitions = {
-    Transition{Off, Event::Enable, NotHomed},
-    Transition{Off, Event::Enable, Idle}, // where the places are still known
+                    Transition{NotHomed, Event::Disable, Off},
+                    Transition{NotHomed, Event::Home, Homing},
+                    Transition{NotHomed, Event::Jog, Jogging},
 
-    Transition{NotHomed, Event::Disable, Off},
-    Transition{NotHomed, Event::Home, Homing},
-    Transition{NotHomed, Event::Jog, Jogging},
+                    Transition{Homing, Event::Homed, Idle},
+                    Transition{Homing, Event::Hold, Stopping},
+                    Transition{Homing, Event::Stop, Stopping},
 
-    Transition{Homing, Event::Homed, Idle},
-    Transition{Homing, Event::Hold, Stopping},
-    Transition{Homing, Event::Stop, Stopping},
+                    Transition{Idle, Event::Disable, Off},
+                    Transition{Idle, Event::Home, Homing},
+                    Transition{Idle, Event::Jog, Jogging},
+                    Transition{Idle, Event::Start, Starting},
+                    Transition{Idle, Event::Position, Positioning},
 
-    Transition{Idle, Event::Disable, Off},
-    Transition{Idle, Event::Home, Homing},
-    Transition{Idle, Event::Jog, Jogging},
-    Transition{Idle, Event::Start, Starting},
-    Transition{Idle, Event::Position, Positioning},
+                    Transition{Starting, Event::Ready, Running},
+                    Transition{Starting, Event::Hold, Held},
+                    Transition{Starting, Event::Stop, Stopping},
 
-    Transition{Starting, Event::Ready, Running},
-    Transition{Starting, Event::Hold, Held},
-    Transition{Starting, Event::Stop, Stopping},
+                    Transition{Running, Event::Hold, Holding},
+                    Transition{Running, Event::Stop, Stopping},
+                    Transition{Running, Event::ProgramEnd, Idle},
 
-    Transition{Running, Event::Hold, Holding},
-    Transition{Running, Event::Stop, Stopping},
-    Transition{Running, Event::ProgramEnd, Idle},
+                    Transition{Holding, Event::AtRest, Held},
+                    Transition{Holding, Event::Resume, Running},
+                    Transition{Holding, Event::Resume, Positioning},
+                    Transition{Holding, Event::Stop, Stopping},
+                    Transition{Holding, Event::ProgramEnd, Idle}, // it came to rest at the very end
 
-    Transition{Holding, Event::AtRest, Held},
-    Transition{Holding, Event::Resume, Running},
-    Transition{Holding, Event::Resume, Positioning},
-    Transition{Holding, Event::Stop, Stopping},
-    Transition{Holding, Event::ProgramEnd, Idle}, // it came to rest at the very end
+                    Transition{Held, Event::Resume, Starting},
+                    Transition{Held, Event::Resume, Positioning},
+                    Transition{Held, Event::Start, Starting}, // re-entry
+                    Transition{Held, Event::Step, Stepping},
+                    Transition{Held, Event::Stop, Stopping},
 
-    Transition{Held, Event::Resume, Starting},
-    Transition{Held, Event::Resume, Positioning},
-    Transition{Held, Event::Start, Starting}, // re-entry
-    Transition{Held, Event::Step, Stepping},
-    Transition{Held, Event::Stop, Stopping},
+                    Transition{Stepping, Event::ProgramEnd, Held},
+                    Transition{Stepping, Event::AtRest, Held}, // held on its way
+                    Transition{Stepping, Event::Hold, Stepping},
+                    Transition{Stepping, Event::Stop, Stopping},
 
-    Transition{Stepping, Event::ProgramEnd, Held},
-    Transition{Stepping, Event::AtRest, Held}, // held on its way
-    Transition{Stepping, Event::Hold, Stepping},
-    Transition{Stepping, Event::Stop, Stopping},
+                    Transition{Jogging, Event::Jog, Jogging},
+                    Transition{Jogging, Event::AtRest, Idle},
+                    Transition{Jogging, Event::AtRest, NotHomed},
+                    Transition{Jogging, Event::Hold, Stopping},
+                    Transition{Jogging, Event::Stop, Stopping},
 
-    Transition{Jogging, Event::Jog, Jogging},
-    Transition{Jogging, Event::AtRest, Idle},
-    Transition{Jogging, Event::AtRest, NotHomed},
-    Transition{Jogging, Event::Hold, Stopping},
-    Transition{Jogging, Event::Stop, Stopping},
+                    Transition{Positioning, Event::Hold, Holding},
+                    Transition{Positioning, Event::Stop, Stopping},
+                    Transition{Positioning, Event::ProgramEnd, Idle},
 
-    Transition{Positioning, Event::Hold, Holding},
-    Transition{Positioning, Event::Stop, Stopping},
-    Transition{Positioning, Event::ProgramEnd, Idle},
+                    Transition{Stopping, Event::Stop, Stopping},
+                    Transition{Stopping, Event::Hold, Stopping},
+                    Transition{Stopping, Event::AtRest, Idle},
+                    Transition{Stopping, Event::AtRest, NotHomed},
+                    Transition{Stopping, Event::AtRest, Faulted},
 
-    Transition{Stopping, Event::Stop, Stopping},
-    Transition{Stopping, Event::Hold, Stopping},
-    Transition{Stopping, Event::AtRest, Idle},
-    Transition{Stopping, Event::AtRest, NotHomed},
-    Transition{Stopping, Event::AtRest, Faulted},
+                    Transition{Faulted, Event::Acknowledge, Idle},
+                    Transition{Faulted, Event::Acknowledge, NotHomed},
+                    Transition{Faulted, Event::Acknowledge, Off},
 
-    Transition{Faulted, Event::Acknowledge, Idle},
-    Transition{Faulted, Event::Acknowledge, NotHomed},
-    Transition{Faulted, Event::Acknowledge, Off},
+                    Transition{EmergencyStop, Event::Acknowledge, Off}};
+}
 
-    Transition{EmergencyStop, Event::Acknowledge, Off},
-};
+constexpr auto kTransitions = table();
 
 // From everywhere, whatever it does: nothing stands before the machine's safety.
 std::optional<State> always(State from, Event event) {
   switch (event) {
   case Event::EmergencyStop:
-    return EmergencyStop;
+    return State::EmergencyStop;
   case Event::DrivesOff:
-    return from == EmergencyStop ? EmergencyStop : Faulted;
+    return from == State::EmergencyStop ? State::EmergencyStop : State::Faulted;
   case Event::Fault:
-    return from == EmergencyStop || from == Faulted || from == Off ? from : Stopping;
+    return from == State::EmergencyStop || from == State::Faulted || from == State::Off ? from : State::Stopping;
   default:
     return std::nullopt;
   }
@@ -130,6 +131,7 @@ bool isAllowed(State from, Event event, State to) {
 }
 
 bool isMoving(State state) {
+  using enum State;
   return state == Homing || state == Starting || state == Running || state == Holding || state == Held ||
          state == Stepping || state == Jogging || state == Positioning || state == Stopping;
 }

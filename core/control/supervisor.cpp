@@ -1,5 +1,6 @@
 #include "core/control/supervisor.h"
 
+#include "core/job/program_track.h"
 #include "core/toolpath/glass.h"
 
 #include <cmath>
@@ -114,7 +115,8 @@ void Supervisor::supply() {
 bool Supervisor::launch(program::Program program, bool beginsRun) {
   m_program = std::move(program);
   ++m_number;
-  m_stream.emplace(m_program, m_number, [this](int segment) { return m_room ? m_room->beside(segment, m_machine.backOff) : 0; });
+  m_stream.emplace(m_program, m_number,
+                   [this](int segment) { return m_room ? m_room->beside(segment, m_machine.backOff) : 0; });
   ProgramHeader header;
   header.number = m_number;
   header.kind = m_program.kind;
