@@ -1,6 +1,7 @@
 #include "core/job/program_track.h"
 
 #include "core/base/tolerances.h"
+#include "core/job/track_builder.h"
 
 #include <fmt/format.h>
 
@@ -15,11 +16,9 @@ using base::Problem;
 using base::Problems;
 using geometry::Box;
 using geometry::Curve;
-using geometry::Line;
 using geometry::Point;
 using motion::Move;
 using motion::Segment;
-using motion::Vertical;
 using toolpath::Role;
 
 /// The wheel's lower face stays this far above the table, mm.
@@ -44,76 +43,25 @@ Move moveOf(Role role) {
   return Move::Contour;
 }
 
-/// Strings the moves of the program together; every rapid and plunge starts and ends at rest.
-class TrackBuilder {
-public:
-  TrackBuilder(const recipe::Recipe& recipe, const recipe::Machine& machine)
-      : m_recipe(recipe), m_machine(machine), m_at(machine.park.head<2>()), m_z(machine.park.z()) {}
-
-  void vertical(Move move, double to) {
-    if (std::abs(to - m_z) < base::kZeroLength) {
-      return;
-    }
+// The chain at the height of the wheel; `number` is that of the last primitive before it.
+void grind(TrackBuilder& builder, const toolpath::Chain& chain, const recipe::Recipe& recipe, int& number) {
+  for (const toolpath::PathSegment& piece : chain.segments) {
     Segment segment;
-    segment.shape = Vertical{m_at, m_z, to};
-    segment.feed = move == Move::Plunge ? m_machine.plungeFeed / 60 : m_machine.maxSpeed.z() / 60;
-    rapid(segment, move);
-    m_z = to;
-  }
-
-  void across(Move move, const Point& to) {
-    const Point way = to - m_at;
-    if (way.norm() < base::kZeroLength) {
-      return;
+    std::visit([&](const auto& shape) { segment.shape = shape; }, piece.shape);
+    segment.move = moveOf(piece.role);
+    segment.z = builder.at().z();
+    segment.feed = recipe.feedPerSecond();
+    if (piece.speedCap > 0) {
+      segment.speedCap = piece.speedCap;
     }
-    const Point share = way.cwiseAbs() / way.norm();
-    Segment segment;
-    segment.shape = Line{m_at, to};
-    segment.z = m_z;
-    segment.feed = std::min(m_machine.maxSpeed.x() / share.x(), m_machine.maxSpeed.y() / share.y()) / 60;
-    rapid(segment, move);
-    m_at = to;
+    segment.contour = chain.contour;
+    segment.number = ++number;
+    segment.corner = piece.corner;
+    segment.stopAtEnd = piece.stopAtEnd || &piece == &chain.segments.back();
+    segment.stopCorner = piece.stopCorner;
+    builder.add(segment);
   }
-
-  void grind(const toolpath::Chain& chain) {
-    for (const toolpath::PathSegment& piece : chain.segments) {
-      Segment segment;
-      std::visit([&](const auto& shape) { segment.shape = shape; }, piece.shape);
-      segment.move = moveOf(piece.role);
-      segment.z = m_z;
-      segment.feed = m_recipe.feedPerSecond();
-      if (piece.speedCap > 0) {
-        segment.speedCap = piece.speedCap;
-      }
-      segment.contour = chain.contour;
-      segment.number = ++m_number;
-      segment.corner = piece.corner;
-      segment.stopAtEnd = piece.stopAtEnd;
-      segment.stopCorner = piece.stopCorner;
-      m_track.push_back(segment);
-    }
-    m_track.back().stopAtEnd = true;
-    m_at = geometry::endPoint(chain.segments.back().shape);
-  }
-
-  std::vector<Segment> take() {
-    return std::move(m_track);
-  }
-
-private:
-  void rapid(Segment& segment, Move move) {
-    segment.move = move;
-    segment.stopAtEnd = true;
-    m_track.push_back(segment);
-  }
-
-  const recipe::Recipe& m_recipe;
-  const recipe::Machine& m_machine;
-  Point m_at;
-  double m_z;
-  int m_number = 0;
-  std::vector<Segment> m_track;
-};
+}
 
 std::string nameOf(const toolpath::PathSegment& piece) {
   switch (piece.role) {
@@ -237,14 +185,15 @@ Problems checkTravel(const toolpath::Toolpath& toolpath, const recipe::Machine& 
 std::vector<Segment> makeTrack(const toolpath::Toolpath& toolpath, const recipe::Recipe& recipe,
                                const recipe::Machine& machine) {
   const Heights heights = heightsOf(recipe, machine);
-  TrackBuilder builder(recipe, machine);
+  TrackBuilder builder(machine, machine.park);
+  int number = 0;
   builder.vertical(Move::Approach, heights.top);
   Move across = Move::Approach;
   for (const toolpath::Chain& chain : toolpath.chains) {
     builder.across(across, geometry::startPoint(chain.segments.front().shape));
     builder.vertical(Move::Approach, heights.clearance);
     builder.vertical(Move::Plunge, heights.grinding);
-    builder.grind(chain);
+    grind(builder, chain, recipe, number);
     builder.vertical(Move::Retract, heights.clearance);
     across = Move::Traverse;
   }

@@ -11,8 +11,6 @@ namespace {
 
 using geometry::Arc;
 using geometry::Curve;
-using geometry::Point;
-using geometry::Vector;
 
 double groundLength(const WheelLoop& loop) {
   double sum = 0;
@@ -145,21 +143,22 @@ double overlapOn(const WheelLoop& loop, int contour, const recipe::Recipe& recip
   return std::min(recipe.overlap, quarter);
 }
 
+Arc leadInTo(const Curve& path, const recipe::Recipe& recipe) {
+  const double side = wheelSide(recipe.direction);
+  const double radius = leadRadius(path, side, recipe.lead);
+  // Seen from the glass, and turned round.
+  const Arc backwards{geometry::startPoint(path), -geometry::startTangent(path), -side / radius,
+                      radius * base::kPi / 2};
+  return std::get<Arc>(geometry::reversed(backwards));
+}
+
 void addLeads(Chain& chain, const recipe::Recipe& recipe) {
   const double side = wheelSide(recipe.direction);
-  const auto quarter = [&](const Curve& path, const Point& start, const Vector& tangent) {
-    const double radius = leadRadius(path, side, recipe.lead);
-    return Arc{start, tangent, side / radius, radius * base::kPi / 2};
-  };
-  const Curve& first = chain.segments.front().shape;
-  const Arc backwards = [&] { // the lead-in seen from the glass
-    Arc arc = quarter(first, geometry::startPoint(first), -geometry::startTangent(first));
-    arc.curvature = -arc.curvature;
-    return arc;
-  }();
   const Curve& last = chain.segments.back().shape;
-  const Arc out = quarter(last, geometry::endPoint(last), geometry::endTangent(last));
-  chain.segments.insert(chain.segments.begin(), PathSegment{geometry::reversed(backwards), Role::LeadIn});
+  const double radius = leadRadius(last, side, recipe.lead);
+  const Arc out{geometry::endPoint(last), geometry::endTangent(last), side / radius, radius * base::kPi / 2};
+  const Arc in = leadInTo(chain.segments.front().shape, recipe);
+  chain.segments.insert(chain.segments.begin(), PathSegment{in, Role::LeadIn});
   chain.segments.push_back(PathSegment{out, Role::LeadOut});
 }
 

@@ -42,6 +42,9 @@ struct Traced {
 [[nodiscard]] double overlapOn(const WheelLoop& loop, int contour, const recipe::Recipe& recipe,
                                base::Problems& problems);
 
+/// The lead-in onto the start of `path`: a quarter arc away from the glass, tangential there.
+[[nodiscard]] geometry::Arc leadInTo(const geometry::Curve& path, const recipe::Recipe& recipe);
+
 /// Puts lead-in and lead-out, quarter arcs away from the glass, before and after the chain.
 void addLeads(Chain& chain, const recipe::Recipe& recipe);
 
@@ -49,6 +52,10 @@ void addLeads(Chain& chain, const recipe::Recipe& recipe);
 /// touches another part of it. The chain starts on the edge `first` and ends on the edge `last`.
 [[nodiscard]] base::Problems checkLeads(const Chain& chain, EdgeId first, EdgeId last, const Glass& glass,
                                         const recipe::Recipe& recipe);
+
+/// The same for a lead-in alone, onto the edge `edge`.
+[[nodiscard]] base::Problems checkLeadIn(const geometry::Arc& lead, EdgeId edge, const Glass& glass,
+                                         const recipe::Recipe& recipe);
 
 /// The order of machining as indices: a chain comes after all chains along the cut-outs that lie in its contour; of
 /// those that may come next, the one that starts nearest to where the wheel is. The wheel begins at `park`. O(n log n).

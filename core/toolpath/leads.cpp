@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <optional>
 #include <set>
 
 namespace arris::toolpath {
@@ -81,21 +83,30 @@ std::optional<Problem> checkPlunge(const Point& place, const char* what, EdgeId 
   return std::nullopt;
 }
 
-} // namespace
-
-Problems checkLeads(const Chain& chain, EdgeId first, EdgeId last, const Glass& glass, const recipe::Recipe& recipe) {
-  const Curve& in = chain.segments.front().shape;
-  const Curve& out = chain.segments.back().shape;
+Problems allOf(std::initializer_list<std::optional<Problem>> found) {
   Problems problems;
-  for (const std::optional<Problem>& problem : {checkPlunge(geometry::startPoint(in), "go down", first, glass, recipe),
-                                                checkPlunge(geometry::endPoint(out), "come up", last, glass, recipe),
-                                                checkLead(in, "lead in", first, glass, recipe),
-                                                checkLead(geometry::reversed(out), "lead out", last, glass, recipe)}) {
+  for (const std::optional<Problem>& problem : found) {
     if (problem) {
       problems.push_back(*problem);
     }
   }
   return problems;
+}
+
+} // namespace
+
+Problems checkLeads(const Chain& chain, EdgeId first, EdgeId last, const Glass& glass, const recipe::Recipe& recipe) {
+  const Curve& in = chain.segments.front().shape;
+  const Curve& out = chain.segments.back().shape;
+  return allOf({checkPlunge(geometry::startPoint(in), "go down", first, glass, recipe),
+                checkPlunge(geometry::endPoint(out), "come up", last, glass, recipe),
+                checkLead(in, "lead in", first, glass, recipe),
+                checkLead(geometry::reversed(out), "lead out", last, glass, recipe)});
+}
+
+Problems checkLeadIn(const geometry::Arc& lead, EdgeId edge, const Glass& glass, const recipe::Recipe& recipe) {
+  return allOf(
+      {checkPlunge(lead.start, "go down", edge, glass, recipe), checkLead(lead, "lead in", edge, glass, recipe)});
 }
 
 } // namespace arris::toolpath
