@@ -217,6 +217,9 @@ void Controller::handle(Event event) {
   if (event == Event::Acknowledge) {
     m_faults.clear();
   }
+  if (event == Event::ProgramEnd && m_program.kind == program::Kind::Job) {
+    ++m_report.jobsEnded;
+  }
   enter(choose(event, *state));
 }
 

@@ -56,17 +56,21 @@ void Supervisor::noteRun(const Report& report) {
     m_jobState = m_isRun ? JobState::Running : m_jobState;
     return;
   }
-  const bool ended = report.state == State::Idle && m_latest.state == State::Running;
-  if (ended) {
-    ++m_done;
-  }
-  if (ended || report.program == 0) {
-    m_jobState = ended ? JobState::Ended : JobState::Aborted;
+  if (report.jobsEnded > m_latest.jobsEnded) {
+    endRun();
+  } else if (report.program == 0) {
+    m_jobState = JobState::Aborted;
     m_isRun = false;
   } else {
     const bool held = report.state == State::Held || report.state == State::Holding || report.state == State::Stepping;
     m_jobState = held ? JobState::Interrupted : JobState::Running;
   }
+}
+
+void Supervisor::endRun() {
+  ++m_done;
+  m_jobState = JobState::Ended;
+  m_isRun = false;
 }
 
 // What a button asks for beyond what the controller can do by itself: a program to be planned first.
@@ -213,7 +217,12 @@ bool Supervisor::startFrom(const program::JobPlace& place) {
   if (!isIdle() || !m_latest.homed || !m_job) {
     return false;
   }
-  return launch(program::resumeProgram(*m_job, place, m_job->recipe.overlap, m_latest.commanded), true);
+  program::Program rest = program::resumeProgram(*m_job, place, m_job->recipe.overlap, m_latest.commanded);
+  if (rest.track.empty()) { // it was broken off at its very end
+    endRun();
+    return true;
+  }
+  return launch(std::move(rest), true);
 }
 
 bool Supervisor::hold() {

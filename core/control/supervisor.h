@@ -82,6 +82,7 @@ public:
 private:
   void take(const Report& report);
   void noteRun(const Report& report);
+  void endRun();
   void watchPanel(const Report& report);
   void doWhatWaits();
   void supply();
