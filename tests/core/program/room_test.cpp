@@ -50,6 +50,37 @@ TEST(RoomBesideTheWay, BetweenTwoWallsIsWhatIsLeftToTheOtherWall) {
   EXPECT_EQ(walls, 2);
 }
 
+// The tip of a tooth 160 mm from the opposite wall leaves 10 mm there, however much there is at both ends of the wall.
+TEST(RoomBesideTheWay, IsWhatATipOppositeTheMiddleOfAWallLeaves) {
+  const job::Job job = job::planJob(test::polygon({{0, 0},
+                                                   {900, 0},
+                                                   {900, 700},
+                                                   {620, 700},
+                                                   {620, 500},
+                                                   {480, 450},
+                                                   {620, 400},
+                                                   {620, 200},
+                                                   {320, 200},
+                                                   {320, 700},
+                                                   {0, 700}}),
+                                    {}, {});
+  ASSERT_TRUE(job.canBeGround());
+  const geometry::Point beforeTip = job.placement.patternOrigin + geometry::Point(395, 450);
+  const Room room(job);
+  bool found = false;
+  for (int i = 0; i < static_cast<int>(job.track.size()); ++i) {
+    const motion::Segment& segment = job.track[static_cast<std::size_t>(i)];
+    const geometry::Curve curve = motion::curveOf(segment);
+    if (segment.move == Move::Contour && std::holds_alternative<geometry::Line>(curve) &&
+        geometry::nearest(curve, beforeTip).distance < 1e-6) {
+      found = true;
+      EXPECT_NEAR(room.beside(i, 20), 10, 0.02);
+      EXPECT_LE(room.beside(i, 20), 10 + base::kContourAccuracy);
+    }
+  }
+  EXPECT_TRUE(found);
+}
+
 TEST(RoomBesideTheWay, KeepsTheWheelOffAllGlassAndInTheTravel) {
   for (const job::Job& job : test::jobsOfAllKinds(20)) {
     const Room room(job);

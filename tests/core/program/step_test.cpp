@@ -69,9 +69,8 @@ template <class Check> void forAnyStep(int jobs, int steps, Check check) {
       SCOPED_TRACE(fmt::format("job {}: {:.17g} mm from segment {} at {:.17g}, {:.17g} beside", count / steps,
                                any.distance, any.place.segment, any.place.lambda, any.beside));
       ++count;
-      if (any.step) { // nothing where it stands at the end of the lead-out
-        check(job, any);
-      }
+      ASSERT_TRUE(any.step);
+      check(job, any);
     }
   }
 }
@@ -146,6 +145,65 @@ TEST(AStep, BackAndTheSameStepForthEndWhereTheyBegan) {
     ++count;
   });
   EXPECT_GT(count, 100);
+}
+
+/// Steps from a place, each from where the one before ended, until there is none.
+JobPlace walk(const job::Job& job, JobPlace place, double distance, double beside, Vector3d& at) {
+  constexpr int kMost = 100000;
+  const double least = job.recipe.wheelRadius - base::kContourAccuracy;
+  for (int i = 0; i < kMost; ++i) {
+    const std::optional<Step> step = stepProgram(job, place, distance, beside, at);
+    if (!step) {
+      return place;
+    }
+    EXPECT_TRUE(test::isOneMotion(step->program, at));
+    for (const motion::Segment& segment : step->program.track) {
+      const double length = motion::parameterLength(segment);
+      for (const double lambda : {0.0, length / 2, length}) {
+        at = motion::evaluate(segment, lambda).point;
+        EXPECT_GE(test::distanceFromGlass(job.contours, at.head<2>()), least);
+      }
+    }
+    place = step->end;
+    EXPECT_LT((at - test::wheelAt(job, place, beside)).norm(), kPlace);
+  }
+  ADD_FAILURE() << "it comes to no end";
+  return place;
+}
+
+TEST(AStep, AfterTheOtherLeadsRoundTheContourFromLeadInToLeadOutAndBack) {
+  for (const job::Job& job : test::jobsOfAllKinds(10)) {
+    const auto leadIn = std::find_if(job.track.begin(), job.track.end(), [](const auto& s) { return s.contour > 0; });
+    const auto behind = std::find_if(leadIn, job.track.end(), [](const auto& s) { return s.contour == 0; });
+    const JobPlace begin{static_cast<int>(leadIn - job.track.begin()), 0};
+    const JobPlace end{static_cast<int>(behind - job.track.begin()) - 1, motion::parameterLength(behind[-1])};
+    Vector3d at = test::wheelAt(job, begin);
+    const JobPlace reached = walk(job, begin, 23.7, 0, at);
+    EXPECT_LT((test::wheelAt(job, reached) - test::wheelAt(job, end)).norm(), 1e-5);
+    EXPECT_EQ(reached.segment, end.segment);
+    const JobPlace returned = walk(job, reached, -31.4, 0, at);
+    EXPECT_LT((test::wheelAt(job, returned) - test::wheelAt(job, begin)).norm(), 1e-5);
+    EXPECT_EQ(returned.segment, begin.segment);
+  }
+}
+
+TEST(AStep, AfterTheOtherKeepsClearOfTheGlassBesideTheWay) {
+  int kinksPassed = 0;
+  for (const job::Job& job : test::jobsOfAllKinds(10)) {
+    const Room room(job);
+    for (int i = 0; i < static_cast<int>(job.track.size()); ++i) {
+      const bool startsAfresh =
+          i == 0 || job.track[static_cast<std::size_t>(i - 1)].stopAtEnd || room.beside(i - 1, 3) < 3;
+      if (startsAfresh && room.beside(i, 3) == 3) {
+        Vector3d at = test::wheelAt(job, {i, 0}, 3);
+        const JobPlace end = walk(job, {i, 0}, 23.7, 3, at);
+        for (int passed = i; passed < end.segment; ++passed) {
+          kinksPassed += job.track[static_cast<std::size_t>(passed)].stopAtEnd ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(kinksPassed, 5);
 }
 
 TEST(AStep, KeepsTheLimitsOfTheAxes) {
