@@ -348,9 +348,8 @@ void Controller::tell() {
   m_cycle.outputs.driveEnable.fill(m_drivesOn);
   m_cycle.outputs.spindleSpeed = m_spindle;
   m_cycle.outputs.coolant = m_coolant;
-  if (!m_faults.any()) {
-    m_cycle.outputs.heartbeat = !m_cycle.outputs.heartbeat;
-  }
+  // In a fault too: where it stands still the drives lose their power, and the axes could not be braked on their path.
+  m_cycle.outputs.heartbeat = !m_cycle.outputs.heartbeat;
   m_report.tick = m_tick;
   m_report.state = m_state;
   m_report.aside = m_aside;
