@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
 namespace arris::control {
 namespace {
@@ -22,6 +23,37 @@ std::filesystem::path moduleIn(const std::vector<std::filesystem::path>& folders
   return {};
 }
 
+struct CloseModule {
+  void operator()(void* module) const {
+    dlclose(module);
+  }
+};
+
+using Module = std::unique_ptr<void, CloseModule>;
+
+/// A driver and the module that its code is in. The module goes with it, and LinuxCNC's library with the module: that
+/// one keeps places of memory that are no longer its own when it is used a second time.
+class LoadedAxes final : public AxisDriver {
+public:
+  LoadedAxes(Module module, std::unique_ptr<AxisDriver> axes) : m_module(std::move(module)), m_axes(std::move(axes)) {}
+
+  [[nodiscard]] Feedback read() override {
+    return m_axes->read();
+  }
+
+  bool write(const Eigen::Vector3d& setPoint, const Outputs& outputs) override {
+    return m_axes->write(setPoint, outputs);
+  }
+
+  [[nodiscard]] int queued() override {
+    return m_axes->queued();
+  }
+
+private:
+  Module m_module; ///< goes last
+  std::unique_ptr<AxisDriver> m_axes;
+};
+
 } // namespace
 
 base::Expected<std::unique_ptr<AxisDriver>> linuxcncAxes(const recipe::Machine& machine,
@@ -30,12 +62,11 @@ base::Expected<std::unique_ptr<AxisDriver>> linuxcncAxes(const recipe::Machine& 
   if (file.empty()) {
     return notAvailable("this Arris was built without them; install linuxcnc-uspace-dev and build it again");
   }
-  // Never unloaded: the driver's code must outlive the driver.
-  void* module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (module == nullptr) {
+  Module module(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL));
+  if (!module) {
     return notAvailable(std::string("install linuxcnc-uspace; ") + dlerror());
   }
-  auto* make = reinterpret_cast<MakeAxisDriver*>(dlsym(module, kMakeLinuxcncAxes));
+  auto* make = reinterpret_cast<MakeAxisDriver*>(dlsym(module.get(), kMakeLinuxcncAxes));
   if (make == nullptr) {
     return notAvailable("the module is of another version of Arris");
   }
@@ -44,7 +75,7 @@ base::Expected<std::unique_ptr<AxisDriver>> linuxcncAxes(const recipe::Machine& 
   if (!driver) {
     return notAvailable(reason.data());
   }
-  return driver;
+  return std::make_unique<LoadedAxes>(std::move(module), std::move(driver));
 }
 
 } // namespace arris::control

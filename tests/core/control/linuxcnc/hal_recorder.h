@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 
-#include <memory>
 #include <vector>
 
 namespace arris::test {
@@ -16,7 +15,8 @@ struct HalSample {
   bool enabled = false;              ///< the drive of X has power
 };
 
-/// Reads every period of the session's second stream, without a gap as long as it is read every minute.
+/// Reads every period of the session's second stream, without a gap as long as it is read every minute. In a module of
+/// its own, since LinuxCNC's library must be unloaded before it is used for another session.
 class HalRecorder {
 public:
   HalRecorder();
@@ -30,8 +30,12 @@ public:
   std::vector<HalSample> take();
 
 private:
-  struct Stream;
-  std::unique_ptr<Stream> m_stream;
+  void* m_module;
 };
+
+/// What the module exports, each by the name of its type.
+using arrisBeginRecording = bool();
+using arrisReadRecord = bool(HalSample& sample); ///< false where there is no more for now
+using arrisEndRecording = void();
 
 } // namespace arris::test

@@ -87,6 +87,19 @@ TEST_F(LinuxcncAxes, SayWhatIsMissingWhereNoSessionRuns) {
   EXPECT_THAT(reasonOf(axes), HasSubstr("packaging/hal/start.sh"));
 }
 
+// LinuxCNC's library is not made to be used a second time by one process.
+TEST_F(LinuxcncAxes, CanBeTriedAgainInTheSameProgramWithAnotherSession) {
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_THAT(reasonOf(axesFor({})), HasSubstr("no HAL session"));
+    const HalSession session("simulated");
+    ASSERT_TRUE(session.runs());
+    for (int k = 0; k < 10; ++k) {
+      ASSERT_EQ(reasonOf(axesFor({})), "") << "session " << i << ", time " << k;
+    }
+  }
+  EXPECT_EQ(::dlopen("liblinuxcnchal.so.0", RTLD_NOW | RTLD_NOLOAD), nullptr) << "it is still loaded";
+}
+
 TEST_F(LinuxcncAxes, RefuseAProgramOfAnotherVersion) {
   void* module = ::dlopen((std::string(ARRIS_MODULE_DIR) + "/" + kLinuxcncModule).c_str(), RTLD_NOW);
   ASSERT_NE(module, nullptr);
@@ -95,6 +108,7 @@ TEST_F(LinuxcncAxes, RefuseAProgramOfAnotherVersion) {
   std::array<char, 12> reason{};
   EXPECT_EQ(make("0.0.0", {}, reason.data(), reason.size()), nullptr);
   EXPECT_STREQ(reason.data(), "the module "); // as far as there is room
+  ::dlclose(module);
 }
 
 TEST_F(LinuxcncAxes, RefuseASessionOfAnotherPeriod) {
@@ -345,7 +359,11 @@ TEST_F(LinuxcncAxes, StopWithinTheirLimitsAndLoseTheirPowerWhenArrisIsKilled) {
 TEST_F(LinuxcncAxes, AreTakenOverAfterArrisWasKilled) {
   const HalSession session("simulated");
   ASSERT_TRUE(session.runs());
-  killWriter();
+  bool killed = false;
+  for (int attempt = 0; attempt < 5 && !killed; ++attempt) {
+    killed = killWriter();
+  }
+  ASSERT_TRUE(killed) << "in every attempt the writer ended by itself; the computer is too busy";
   std::this_thread::sleep_for(std::chrono::milliseconds(700));
   Axes axes = axesFor({});
   ASSERT_TRUE(axes) << reasonOf(axes);
