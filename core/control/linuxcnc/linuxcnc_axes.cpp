@@ -146,8 +146,8 @@ AxisDriver* makeLinuxcncAxes(const char* version, const recipe::Machine& machine
 } // namespace
 } // namespace arris::control
 
-extern "C" [[gnu::visibility("default")]] arris::control::AxisDriver*
-arrisMakeLinuxcncAxes(const char* version, const arris::recipe::Machine& machine, char* reason, std::size_t size) {
+extern "C" arris::control::AxisDriver* arrisMakeLinuxcncAxes(const char* version, const arris::recipe::Machine& machine,
+                                                             char* reason, std::size_t size) {
   std::string words;
   arris::control::AxisDriver* axes = arris::control::makeLinuxcncAxes(version, machine, words);
   reason[words.copy(reason, size - 1)] = '\0';

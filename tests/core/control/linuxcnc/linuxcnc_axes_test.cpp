@@ -43,8 +43,8 @@ protected:
 };
 
 /// The computer that tests is shared: where it is not the watchdog that is tested, it is patient.
-void calmWatchdog() {
-  test::halcmd("setp watchdog.timeout-0 0.6");
+void calmWatchdog(const std::string& seconds) {
+  test::halcmd("setp watchdog.timeout-0 " + seconds);
 }
 
 /// That no period is missing in what was recorded.
@@ -238,7 +238,7 @@ TEST_F(LinuxcncAxes, TakeNoMoreThanFitsAndKeepTheRest) {
 TEST_F(LinuxcncAxes, CarryAJobOfTwentyThousandSetPointsCompleteInOrderAndWithoutUnderrun) {
   const HalSession session("simulated");
   ASSERT_TRUE(session.runs());
-  calmWatchdog();
+  calmWatchdog("5");
   const recipe::Machine machine;
   Axes axes = axesFor(machine);
   ASSERT_TRUE(axes) << reasonOf(axes);
@@ -392,7 +392,7 @@ job::Job smallJob() {
 TEST_F(LinuxcncAxes, HomeAndGrindAWholeJob) {
   const HalSession session("simulated");
   ASSERT_TRUE(session.runs());
-  calmWatchdog();
+  calmWatchdog("5");
   const job::Job job = smallJob();
   const recipe::Machine& machine = job.machine;
   ASSERT_TRUE(job.canBeGround()) << (job.problems.empty() ? "" : base::describe(job.problems.front()));
@@ -426,7 +426,7 @@ TEST_F(LinuxcncAxes, HomeAndGrindAWholeJob) {
 TEST_F(LinuxcncAxes, KeepTheirPowerInAFaultUntilTheWheelIsRaisedAndLoseItInAnEmergencyStop) {
   const HalSession session("simulated");
   ASSERT_TRUE(session.runs());
-  calmWatchdog();
+  calmWatchdog("0.6");
   test::halcmd("setp braking.off-delay 0");
   const job::Job job = smallJob();
   Axes axes = axesFor(job.machine);
