@@ -40,6 +40,11 @@ public:
     return m_job;
   }
 
+  /// Why the last program was not started, where there is more to say than the state.
+  [[nodiscard]] const std::optional<base::Problem>& refusal() const {
+    return m_refusal;
+  }
+
   /// Panes ground of those ordered.
   [[nodiscard]] int panesDone() const {
     return m_done;
@@ -87,6 +92,7 @@ private:
   void doWhatWaits();
   void supply();
   bool send(const Command& command);
+  [[nodiscard]] std::optional<base::Problem> outsideTravel(const program::Program& program) const;
   bool launch(program::Program program, bool beginsRun);
   [[nodiscard]] bool isIdle() const;
 
@@ -102,6 +108,7 @@ private:
   JobState m_jobState = JobState::Idle;
   bool m_isRun = false; ///< a run has begun and not ended
   int m_done = 0;
+  std::optional<base::Problem> m_refusal;
   bool m_wantsResume = false;
   double m_wantsStep = 0;
 };

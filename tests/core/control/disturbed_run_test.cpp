@@ -42,7 +42,9 @@ public:
       }
     }
     EXPECT_EQ(m_watch.broken(), "");
-    EXPECT_TRUE(isOver()) << "in state " << name(m_bench.report().state) << ", job " << name(m_bench.supervisor.jobState()) << ", place " << m_bench.report().place.segment << " of " << m_job.track.size() << ", refused " << m_bench.report().refused;
+    EXPECT_TRUE(isOver()) << "in state " << name(m_bench.report().state) << ", job "
+                          << name(m_bench.supervisor.jobState()) << ", place " << m_bench.report().place.segment
+                          << " of " << m_job.track.size() << ", refused " << m_bench.report().refused;
     for (const FaultReport& fault : m_bench.faults) {
       ADD_FAILURE() << info(fault.fault).name << " axis " << fault.axis << " value " << fault.value << " in period "
                     << fault.tick;

@@ -24,7 +24,8 @@ TEST(Meetings, WithAnArcOfAnyRadiusAreExact) {
       const Track::Meetings meetings = track.meetBeside(arc, beside);
       double nearest = 1e300;
       for (std::size_t i = 0; i < meetings.count; ++i) {
-        const double expected = 3 + beside + 0.125 / (radius - beside);
+        const double r = radius - beside;
+        const double expected = 3 + beside + 0.25 / (r + std::sqrt(r * r - 0.25));
         nearest = std::min(nearest, std::abs(track.at(meetings.s[i]).y() - expected));
       }
       EXPECT_LT(nearest, 1e-6 / radius + 1e-12) << radius << " " << beside;
