@@ -146,17 +146,15 @@ void Controller::movePath(double factor) {
     raise(Fault::BufferDry);
     m_path->setOverride(0);
   }
-  set(m_path->advanceTo(static_cast<double>(m_pathTick) * m_period));
+  const motion::SetPoint at = m_path->advanceTo(static_cast<double>(m_pathTick) * m_period);
   ++m_pathTick;
-  const motion::Piece& piece = m_path->piece();
+  set(at);
   m_report.isInMotion = true;
-  m_report.segment = piece.segment;
-  const motion::SetPoint at = motion::setPointAt(piece, m_window.view().segment(piece.segment),
-                                                 std::min(m_path->time(), piece.time + piece.duration));
+  m_report.segment = at.segment;
   m_report.lambda = at.lambda;
   m_report.speed = at.speed;
   m_report.acceleration = at.acceleration;
-  if (const program::JobPlace place = m_window.placeOf(piece.segment, at.lambda); place.segment >= 0) {
+  if (const program::JobPlace place = m_window.placeOf(at.segment, at.lambda); place.segment >= 0) {
     m_report.place = place;
   }
   const Eigen::Vector3d inMachine = m_report.commanded + m_origin;

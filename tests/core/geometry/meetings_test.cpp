@@ -40,5 +40,17 @@ TEST(Meetings, BesideAnArcGoPastItsCentre) {
   EXPECT_NEAR(std::abs(meetings.s[0] - meetings.s[1]), 40, 1e-9);
 }
 
+TEST(Distance, OfCurvesThatCrossIsNoneHoweverFlatTheyAre) {
+  for (const double radius : {1e2, 1e4, 1e6, 1e9, 1e12, 1e14, 1e16}) {
+    const Arc arch = archAt(3, radius);
+    EXPECT_LT(distance(arch, Line{{0.5, -200}, {0.7, 200}}, 0.001), 1e-9) << radius;
+    for (const double other : {1e2, 1e6, 1e12, 1e16}) {
+      const Arc across{{1, -60}, {0, 1}, 1 / other, 120};
+      EXPECT_LT(distance(arch, across, 0.001), 1e-9) << radius << " " << other;
+      EXPECT_LT(distance(across, arch, 0.001), 1e-9) << radius << " " << other;
+    }
+  }
+}
+
 } // namespace
 } // namespace arris::geometry
