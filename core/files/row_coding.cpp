@@ -124,11 +124,11 @@ private:
   std::array<std::uint64_t, kHighestOrder + 1> m_last{}; ///< by order
 };
 
-constexpr unsigned kBitsOfByte = 7;
+constexpr unsigned kBitsOfDigit = 7;
 constexpr std::uint64_t kMoreFollow = 0x80;
 
 void putNumber(std::string& bytes, std::uint64_t value) {
-  for (; value >= kMoreFollow; value >>= kBitsOfByte) {
+  for (; value >= kMoreFollow; value >>= kBitsOfDigit) {
     bytes += static_cast<char>(value | kMoreFollow);
   }
   bytes += static_cast<char>(value);
@@ -168,7 +168,7 @@ public:
   std::uint64_t number() {
     constexpr unsigned kBits = 64;
     std::uint64_t value = 0;
-    for (unsigned shift = 0; shift < kBits; shift += kBitsOfByte) {
+    for (unsigned shift = 0; shift < kBits; shift += kBitsOfDigit) {
       if (m_rest.empty()) {
         break;
       }

@@ -316,8 +316,8 @@ std::string sealed(char kind, const std::string& payload) {
 }
 
 std::string magicAndHeader() {
-  static const SmallRecord kSmall = smallRecord();
-  return kSmall.bytes.substr(0, kSmall.ends.front());
+  static const SmallRecord kRecord = smallRecord();
+  return kRecord.bytes.substr(0, kRecord.ends.front());
 }
 
 TEST(RunRecord, IsMadeOfBlocksWithAStandardChecksum) {
