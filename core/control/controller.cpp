@@ -286,6 +286,7 @@ void Controller::load(const ProgramHeader& header) {
     return;
   }
   m_program = header;
+  m_report.place = header.place.segment >= 0 ? header.place : m_report.place;
   m_window.begin(header.number);
   m_path.reset();
   for (int axis = 0; axis < kAxes; ++axis) {

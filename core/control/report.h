@@ -6,6 +6,7 @@
 #include "core/program/program.h"
 
 #include <cstdint>
+#include <string>
 
 namespace arris::control {
 
@@ -56,5 +57,8 @@ struct FaultReport {
   int axis = -1;
   double value = 0;
 };
+
+/// The fault in an English sentence.
+[[nodiscard]] std::string describe(const FaultReport& fault);
 
 } // namespace arris::control

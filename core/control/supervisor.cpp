@@ -144,7 +144,7 @@ std::optional<base::Problem> Supervisor::outsideTravel(const program::Program& p
   return std::nullopt;
 }
 
-bool Supervisor::launch(program::Program program, bool beginsRun) {
+bool Supervisor::launch(program::Program program, bool beginsRun, const program::JobPlace& place) {
   m_refusal = outsideTravel(program);
   if (m_refusal || program.track.empty()) {
     return false;
@@ -163,6 +163,7 @@ bool Supervisor::launch(program::Program program, bool beginsRun) {
     header.spindleSpeed = m_program.kind == Kind::Positioning ? 0 : m_job->recipe.spindle;
   }
   header.beginsRun = beginsRun;
+  header.place = place;
   const bool sent = send(command::Load{header}) && send(command::Start{});
   supply();
   return sent;
@@ -242,7 +243,7 @@ bool Supervisor::start() {
   const bool isParked = (m_latest.commanded - m_job->machine.park).cwiseAbs().maxCoeff() <= kParked;
   return launch(isParked ? program::jobProgram(*m_job)
                          : program::resumeProgram(*m_job, {0, 0}, m_job->recipe.overlap, m_latest.commanded),
-                true);
+                true, {0, 0});
 }
 
 bool Supervisor::startFrom(const program::JobPlace& place) {
@@ -254,7 +255,7 @@ bool Supervisor::startFrom(const program::JobPlace& place) {
     endRun();
     return true;
   }
-  return launch(std::move(rest), true);
+  return launch(std::move(rest), true, place);
 }
 
 bool Supervisor::hold() {

@@ -93,7 +93,7 @@ private:
   void supply();
   bool send(const Command& command);
   [[nodiscard]] std::optional<base::Problem> outsideTravel(const program::Program& program) const;
-  bool launch(program::Program program, bool beginsRun);
+  bool launch(program::Program program, bool beginsRun, const program::JobPlace& place = {});
   [[nodiscard]] bool isIdle() const;
 
   recipe::Machine m_machine;
