@@ -52,7 +52,7 @@ public:
 
   Executed execute() {
     const ExitStatus status = begin() ? grind() : broken();
-    m_supervisor.serve();
+    comeToRest();
     m_keeper.finish();
     tell(m_keeper.takeProblems());
     if (m_thread) {
@@ -62,6 +62,9 @@ public:
       }
       fmt::print("Late wake-ups {}, least lead left {} periods\n", timing.lateWakeUps, timing.worstLead);
       m_thread.reset();
+    }
+    if (status == ExitStatus::Done) {
+      fmt::print("Ground in {:.3f} s. Record: {}\n", m_time, m_keeper.record().string());
     }
     return {status, m_keeper.record()};
   }
@@ -123,6 +126,18 @@ private:
     return interrupted() ? ExitStatus::Interrupted : ExitStatus::CannotBeGround;
   }
 
+  // Whatever the reason to end: the axes rest before the drives go off.
+  void comeToRest() {
+    constexpr int kMostPasses = 6000; // a minute
+    for (int i = 0; i < kMostPasses && control::isMoving(latest().state); ++i) {
+      if (i == 0) {
+        m_supervisor.stop();
+      }
+      pass();
+    }
+    m_supervisor.serve();
+  }
+
   [[nodiscard]] bool isFaulted() const {
     return latest().state == State::Faulted || latest().state == State::EmergencyStop;
   }
@@ -177,6 +192,7 @@ private:
       inject(report);
     }
     if (report.runTick >= 0) {
+      m_time = static_cast<double>(report.runTick) * m_job->machine.period;
       m_progress.show("Grinding", std::min(1.0, report.path / m_length));
     }
   }
@@ -208,6 +224,7 @@ private:
   std::optional<control::ControlThread> m_thread; ///< in real time
   Progress m_progress;
   std::uint64_t m_injected = 0;
+  double m_time = 0; ///< of the run, s
 };
 
 } // namespace

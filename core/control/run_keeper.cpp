@@ -70,11 +70,13 @@ void RunKeeper::add(const FaultReport& fault) {
   if (fault.axis >= 0) {
     values.push_back({"axis", std::string("XYZ").substr(static_cast<std::size_t>(fault.axis), 1)});
   }
-  values.push_back({"value", fault.value});
+  if (row.text.find("{value}") != std::string_view::npos) {
+    values.push_back({"value", fault.value});
+  }
   files::Alarm alarm;
   alarm.time = m_wallClock();
   alarm.code = row.name;
-  alarm.text = row.text;
+  alarm.text = describe(fault);
   alarm.values = values;
   keep(files::appendAlarm(m_folder.alarmLog(), alarm));
   if (m_record) {
