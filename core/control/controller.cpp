@@ -349,7 +349,7 @@ void Controller::tell() {
   m_cycle.outputs.driveEnable.fill(m_drivesOn);
   m_cycle.outputs.spindleSpeed = m_spindle;
   m_cycle.outputs.coolant = m_coolant;
-  if (!m_faults.any()) {
+  if (!m_faults.has(Fault::SetPointInconsistent)) { // else Arris itself is not well: the watchdog shall act
     m_cycle.outputs.heartbeat = !m_cycle.outputs.heartbeat;
   }
   m_report.tick = m_tick;

@@ -3,6 +3,7 @@
 #include "core/files/alarm_log.h"
 #include "core/files/record_folder.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace arris::control {
@@ -73,15 +74,19 @@ void RunKeeper::add(const FaultReport& fault) {
   if (row.text.find("{value}") != std::string_view::npos) {
     values.push_back({"value", fault.value});
   }
+  if (m_record) { // the two seconds around it in the record
+    const double time = static_cast<double>(std::max<std::int64_t>(0, m_last.runTick)) * m_job->machine.period;
+    values.push_back({"from_s", std::max(0.0, time - 1)});
+    values.push_back({"to_s", time + 1});
+    event(m_last, std::string(row.name), values);
+    values.push_back({"record", m_recordFile.filename().string()});
+  }
   files::Alarm alarm;
   alarm.time = m_wallClock();
   alarm.code = row.name;
   alarm.text = describe(fault);
-  alarm.values = values;
+  alarm.values = std::move(values);
   keep(files::appendAlarm(m_folder.alarmLog(), alarm));
-  if (m_record) {
-    event(m_last, std::string(row.name), std::move(values));
-  }
 }
 
 void RunKeeper::beginRun() {

@@ -215,14 +215,15 @@ void Supervisor::setOverride(double factor) {
   send(command::Override{factor});
 }
 
-bool Supervisor::load(std::shared_ptr<const job::Job> job) {
-  if (m_isRun || !job || !job->canBeGround()) {
+bool Supervisor::load(std::shared_ptr<const job::Job> job, int panes) {
+  if (m_isRun || !job || !job->canBeGround() || panes < 1) {
     return false;
   }
   m_room = std::make_unique<program::Room>(*job);
   m_job = std::move(job);
   m_jobState = JobState::Initialized;
   m_done = 0;
+  m_ordered = panes;
   return true;
 }
 

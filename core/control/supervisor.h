@@ -45,9 +45,13 @@ public:
     return m_refusal;
   }
 
-  /// Panes ground of those ordered.
+  /// Panes ground of the job that is loaded, of those ordered. More may be ground than were ordered.
   [[nodiscard]] int panesDone() const {
     return m_done;
+  }
+
+  [[nodiscard]] int panesOrdered() const {
+    return m_ordered;
   }
 
   // What the operator wants. False where the state does not allow it; nothing is done then. What is allowed is on its
@@ -64,8 +68,8 @@ public:
   bool coolantByHand(bool on);
   void setOverride(double factor);
 
-  /// A job that can be ground, in a state without a program.
-  bool load(std::shared_ptr<const job::Job> job);
+  /// A job that can be ground, in a state without a program, for so many panes.
+  bool load(std::shared_ptr<const job::Job> job, int panes = 1);
   bool unload();
 
   /// Cycle start: the next pane.
@@ -108,6 +112,7 @@ private:
   JobState m_jobState = JobState::Idle;
   bool m_isRun = false; ///< a run has begun and not ended
   int m_done = 0;
+  int m_ordered = 0;
   std::optional<base::Problem> m_refusal;
   bool m_wantsResume = false;
   double m_wantsStep = 0;
