@@ -23,7 +23,8 @@ struct Call {
 constexpr std::array kCalls{
     Call{"plan", "plan PATTERN [options] [outputs]", "from a pattern to the wheel path, its profile and G-code", plan},
     Call{"inspect", "inspect PATTERN [options]", "what is in a pattern: contours, repairs, problems", inspect},
-    Call{"plot", "plot PROFILE.csv [PROFILE.csv] -o FILE", "a picture of exported profiles", plot},
+    Call{"run", "run PATTERN [options] [outputs]", "the same through the controller, on simulated axes", runJob},
+    Call{"plot", "plot PROFILE.csv|RECORD ... -o FILE", "a picture of profiles and records of runs", plot},
     Call{"help", "help [CALL]", "this page, or the options of a call", help},
 };
 

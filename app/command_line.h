@@ -24,6 +24,7 @@ using Arguments = std::vector<std::string>;
 // The calls; each takes the arguments after its name.
 [[nodiscard]] ExitStatus openWindow(const Arguments& arguments);
 [[nodiscard]] ExitStatus plan(const Arguments& arguments);
+[[nodiscard]] ExitStatus runJob(const Arguments& arguments);
 [[nodiscard]] ExitStatus inspect(const Arguments& arguments);
 [[nodiscard]] ExitStatus plot(const Arguments& arguments);
 [[nodiscard]] ExitStatus help(const Arguments& arguments);

@@ -5,6 +5,7 @@
 #include "app/outputs.h"
 #include "core/files/profile_csv.h"
 #include "core/files/report.h"
+#include "core/files/run_record.h"
 #include "ui/figures/profile_figure.h"
 
 #include <CLI/App.hpp>
@@ -20,7 +21,25 @@ QString nameOf(const fs::path& file) {
   return QString::fromStdString(file.filename().string());
 }
 
+// Row by row, since a record may be long.
+OrStatus<ui::ProfileCurves> loadRecord(const fs::path& file) {
+  ui::ProfileColumns columns;
+  const auto record = files::readRecord(file, {[&](const files::RunRow& run) { ui::append(columns, run.row); }, {}});
+  if (!record) {
+    return tl::unexpected(tellAndJudge({record.error()}));
+  }
+  tell(record->damage);
+  if (columns.time.empty()) {
+    return tl::unexpected(tellAndJudge({base::Problem(
+        base::Code::RecordMalformed, {{"file", file.string()}, {"reason", std::string("it has no rows")}})}));
+  }
+  return ui::curvesOf(columns, nameOf(file));
+}
+
 OrStatus<ui::ProfileCurves> loadCurves(const fs::path& file) {
+  if (files::isRecord(file)) {
+    return loadRecord(file);
+  }
   return load(file).and_then([&](const std::string& text) -> OrStatus<ui::ProfileCurves> {
     const auto rows = files::readProfile(text, file.string());
     if (!rows) {
@@ -50,13 +69,14 @@ OrStatus<ui::ProfileLimits> loadLimits(const fs::path& report) {
 } // namespace
 
 ExitStatus plot(const Arguments& arguments) {
-  CLI::App call("A picture of exported profiles; the second one (the actual) is laid over the first (the planned).",
-                "arris plot");
+  CLI::App call(
+      "A picture of profiles and records of runs; the second one (the actual) is laid over the first (the planned).",
+      "arris plot");
   std::vector<fs::path> profiles;
   fs::path report;
   fs::path picture;
   constexpr int kMostProfiles = 2;
-  call.add_option("PROFILE", profiles, "Profiles (CSV) as plan writes them")
+  call.add_option("PROFILE", profiles, "Profiles (CSV) or records of runs")
       ->required()
       ->expected(1, kMostProfiles)
       ->type_name("");

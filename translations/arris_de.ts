@@ -575,6 +575,14 @@
         <source>From here on so many contours lie over or within each other that they cannot be checked (more than {most} comparisons); draw fewer.</source>
         <translation>Ab hier liegen so viele Konturen über- oder ineinander, dass sie nicht geprüft werden können (mehr als {most} Vergleiche); weniger zeichnen.</translation>
     </message>
+    <message>
+        <source>{file} is not the record of a run: {reason}.</source>
+        <translation>{file} ist keine Aufzeichnung eines Laufs: {reason}.</translation>
+    </message>
+    <message>
+        <source>{file} is not whole: {reason} at byte {byte}. What can be read is used.</source>
+        <translation>{file} ist nicht vollständig: {reason} (ab Byte {byte}). Was lesbar ist, wird verwendet.</translation>
+    </message>
 </context>
 <context>
     <name>ProblemWord</name>
@@ -945,6 +953,22 @@
     <message>
         <source>it breaks apart</source>
         <translation>Sie reißt auseinander</translation>
+    </message>
+    <message>
+        <source>it does not begin like one</source>
+        <translation>Sie beginnt nicht wie eine</translation>
+    </message>
+    <message>
+        <source>its header is damaged</source>
+        <translation>Ihr Kopf ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it breaks off</source>
+        <translation>Sie bricht ab</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>Sie ist beschädigt</translation>
     </message>
 </context>
 <context>

@@ -575,6 +575,14 @@
         <source>From here on so many contours lie over or within each other that they cannot be checked (more than {most} comparisons); draw fewer.</source>
         <translation>从此处起，相互重叠或嵌套的轮廓过多，无法检查（比较超过 {most} 次）；请减少轮廓。</translation>
     </message>
+    <message>
+        <source>{file} is not the record of a run: {reason}.</source>
+        <translation>{file} 不是运行记录：{reason}。</translation>
+    </message>
+    <message>
+        <source>{file} is not whole: {reason} at byte {byte}. What can be read is used.</source>
+        <translation>{file} 不完整：{reason}（自第 {byte} 字节起）。可读取的部分将被使用。</translation>
+    </message>
 </context>
 <context>
     <name>ProblemWord</name>
@@ -945,6 +953,22 @@
     <message>
         <source>it breaks apart</source>
         <translation>曲线断开</translation>
+    </message>
+    <message>
+        <source>it does not begin like one</source>
+        <translation>文件开头不符</translation>
+    </message>
+    <message>
+        <source>its header is damaged</source>
+        <translation>文件头已损坏</translation>
+    </message>
+    <message>
+        <source>it breaks off</source>
+        <translation>文件中断</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>数据已损坏</translation>
     </message>
 </context>
 <context>

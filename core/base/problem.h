@@ -32,6 +32,8 @@ enum class Code {
   ValueAboveMachine,
   ValueNotAChoice,
   CsvMalformed,
+  RecordMalformed,
+  RecordDamaged,
   // The gate in front of the DXF reader
   DxfEmpty,
   DxfBinary,

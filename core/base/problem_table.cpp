@@ -23,6 +23,9 @@ const std::vector<CodeInfo>& allCodes() {
        "{name} is {value} {unit}; the machine allows {most} {unit} at most."},
       {ValueNotAChoice, "value-not-a-choice", Error, "{name} is \"{value}\"; it must be one of: {choices}."},
       {CsvMalformed, "csv-malformed", Error, "{file} is not a profile of Arris: {reason}."},
+      {RecordMalformed, "record-malformed", Error, "{file} is not the record of a run: {reason}."},
+      {RecordDamaged, "record-damaged", Warning,
+       "{file} is not whole: {reason} at byte {byte}. What can be read is used."},
 
       {DxfEmpty, "dxf-empty", Error, "The pattern file is empty."},
       {DxfBinary, "dxf-binary", Error, "The binary DXF file is damaged: {reason}."},

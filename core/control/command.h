@@ -17,6 +17,7 @@ struct ProgramHeader {
   double wheelSide = 1;       ///< +1: the wheel runs on the left of its direction of travel, −1 right
   double spindleSpeed = 0;    ///< r/min; 0: the program needs no spindle
   bool beginsRun = false;     ///< time of the run begins at 0 with its first motion
+  program::JobPlace place;    ///< on the job's way where it takes it up
 };
 
 /// What the operator's side asks of the controller. Values only; refused where the table of states does not allow it.

@@ -286,6 +286,7 @@ void Controller::load(const ProgramHeader& header) {
     return;
   }
   m_program = header;
+  m_report.place = header.place.segment >= 0 ? header.place : m_report.place;
   m_window.begin(header.number);
   m_path.reset();
   for (int axis = 0; axis < kAxes; ++axis) {
@@ -348,8 +349,9 @@ void Controller::tell() {
   m_cycle.outputs.driveEnable.fill(m_drivesOn);
   m_cycle.outputs.spindleSpeed = m_spindle;
   m_cycle.outputs.coolant = m_coolant;
-  // In a fault too: where it stands still the drives lose their power, and the axes could not be braked on their path.
-  m_cycle.outputs.heartbeat = !m_cycle.outputs.heartbeat;
+  if (!m_faults.has(Fault::SetPointInconsistent)) { // else Arris itself is not well: the watchdog shall act
+    m_cycle.outputs.heartbeat = !m_cycle.outputs.heartbeat;
+  }
   m_report.tick = m_tick;
   m_report.state = m_state;
   m_report.aside = m_aside;

@@ -71,6 +71,7 @@ private:
   void moveStopping();
   void moveHoming();
   void moveJogging();
+  void tellSegment(const motion::SetPoint& at);
   void endOfProgram();
   [[nodiscard]] bool wouldRunDry() const;
   [[nodiscard]] bool isOnGlass() const;
@@ -117,6 +118,8 @@ private:
   PathWindow m_window;
   std::optional<motion::Interpolator> m_path;
   std::int64_t m_pathTick = 0; ///< of the next set-point on the path
+  int m_pathSegment = 0;       ///< segments before it are left behind
+  double m_travelled = 0;      ///< in the run up to that segment, mm
   double m_override = 1;
   bool m_runs = false; ///< the run's time goes on
   bool m_holdStep = false;

@@ -104,6 +104,8 @@ void Controller::beginPath() {
   }
   m_path.emplace(view, m_program.limits);
   m_pathTick = 0;
+  m_pathSegment = 0;
+  m_travelled = m_report.path;
 }
 
 void Controller::moveStarting() {
@@ -117,6 +119,8 @@ void Controller::moveStarting() {
       if (m_program.beginsRun && m_pathTick == 0) {
         m_runs = true;
         m_report.runTick = 0;
+        m_report.path = 0;
+        m_travelled = 0;
       }
       m_aside = Aside::OnPath;
       m_report.beside = 0;
@@ -146,17 +150,14 @@ void Controller::movePath(double factor) {
     raise(Fault::BufferDry);
     m_path->setOverride(0);
   }
-  set(m_path->advanceTo(static_cast<double>(m_pathTick) * m_period));
+  const motion::SetPoint at = m_path->advanceTo(static_cast<double>(m_pathTick) * m_period);
   ++m_pathTick;
-  const motion::Piece& piece = m_path->piece();
+  set(at);
   m_report.isInMotion = true;
-  m_report.segment = piece.segment;
-  const motion::SetPoint at = motion::setPointAt(piece, m_window.view().segment(piece.segment),
-                                                 std::min(m_path->time(), piece.time + piece.duration));
-  m_report.lambda = at.lambda;
+  tellSegment(at);
   m_report.speed = at.speed;
   m_report.acceleration = at.acceleration;
-  if (const program::JobPlace place = m_window.placeOf(piece.segment, at.lambda); place.segment >= 0) {
+  if (const program::JobPlace place = m_window.placeOf(at.segment, at.lambda); place.segment >= 0) {
     m_report.place = place;
   }
   const Eigen::Vector3d inMachine = m_report.commanded + m_origin;
@@ -166,6 +167,23 @@ void Controller::movePath(double factor) {
     }
   }
   endOfProgram();
+}
+
+void Controller::tellSegment(const motion::SetPoint& at) {
+  const motion::TrackView& view = m_window.view();
+  for (; m_pathSegment < at.segment; ++m_pathSegment) {
+    const Segment& left = view.segment(m_pathSegment);
+    m_travelled += motion::arcLength(left, motion::parameterLength(left));
+  }
+  const Segment& on = view.segment(at.segment);
+  m_report.segment = at.segment;
+  m_report.lambda = at.lambda;
+  m_report.move = on.move;
+  m_report.contour = on.contour;
+  m_report.number = on.number;
+  m_report.corner = on.corner;
+  m_report.stopCorner = on.stopCorner;
+  m_report.path = m_travelled + motion::arcLength(on, at.lambda);
 }
 
 // At rest in a hold, or at the end.
@@ -269,7 +287,9 @@ void Controller::beginShort(const Segment& segment) {
 bool Controller::moveShort(double factor) {
   m_short->setOverride(factor);
   ++m_shortTick;
+  const Eigen::Vector3d from = m_report.commanded;
   set(m_short->advanceTo(static_cast<double>(m_shortTick) * m_period));
+  m_report.path += (m_report.commanded - from).norm();
   return m_short->atEnd() || m_short->standsStill();
 }
 

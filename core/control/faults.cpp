@@ -1,5 +1,8 @@
 #include "core/control/faults.h"
 
+#include "core/base/problem.h"
+#include "core/control/report.h"
+
 namespace arris::control {
 
 // The one table of faults.
@@ -53,6 +56,15 @@ const std::array<FaultInfo, kFaultCount>& allFaults() {
 
 const FaultInfo& info(Fault fault) {
   return allFaults()[static_cast<std::size_t>(fault)];
+}
+
+std::string describe(const FaultReport& fault) {
+  base::Problem values;
+  const std::string_view axes = "XYZ";
+  values.values = {{"axis", fault.axis >= 0 ? std::string(axes.substr(static_cast<std::size_t>(fault.axis), 1))
+                                            : std::string("an axis")},
+                   {"value", fault.value}};
+  return base::fillIn(info(fault.fault).text, values);
 }
 
 } // namespace arris::control

@@ -6,6 +6,7 @@
 #include "core/program/program.h"
 
 #include <cstdint>
+#include <string>
 
 namespace arris::control {
 
@@ -27,7 +28,11 @@ struct Report {
   bool isInMotion = false;                        ///< on the path of the program: `segment` and λ hold
   int segment = -1;                               ///< of the program's track
   double lambda = 0, speed = 0, acceleration = 0; ///< of λ: mm, mm/s, mm/s²
-  program::JobPlace place;                        ///< on the job's way, the last one known
+  motion::Move move = motion::Move::Approach;     ///< of that segment, as the following
+  int contour = 0, number = 0, corner = 0;
+  int stopCorner = 0;      ///< the corner at which the wheel stops at its end; 0 none
+  double path = 0;         ///< true length travelled in the run, mm
+  program::JobPlace place; ///< on the job's way, the last one known
   double overrideFactor = 1;
   Eigen::Vector3d commanded{0, 0, 0};
   Eigen::Vector3d velocity{0, 0, 0};         ///< commanded, mm/s
@@ -41,8 +46,8 @@ struct Report {
   Faults faults;
   int pairsBuffered = 0;
   std::int64_t jobsEnded = 0; ///< programs of jobs that came to their end, so far
-  std::int64_t refused = 0; ///< commands that the state did not allow, so far
-  std::int64_t lost = 0;    ///< reports that found no room, so far
+  std::int64_t refused = 0;   ///< commands that the state did not allow, so far
+  std::int64_t lost = 0;      ///< reports that found no room, so far
 };
 
 /// A fault as it happened.
@@ -52,5 +57,8 @@ struct FaultReport {
   int axis = -1;
   double value = 0;
 };
+
+/// The fault in an English sentence.
+[[nodiscard]] std::string describe(const FaultReport& fault);
 
 } // namespace arris::control

@@ -3,6 +3,7 @@
 #include "core/job/program_track.h"
 #include "core/toolpath/glass.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -14,6 +15,9 @@ namespace {
 
 /// At the park position, mm.
 constexpr double kParked = 1e-6;
+
+/// What rounding may put outside the travel, mm.
+constexpr double kInsideTravel = 1e-6;
 
 } // namespace
 
@@ -75,7 +79,8 @@ void Supervisor::endRun() {
 
 // What a button asks for beyond what the controller can do by itself: a program to be planned first.
 void Supervisor::watchPanel(const Report& report) {
-  const bool pressed = report.inputs.cycleStart && !m_latest.inputs.cycleStart && report.tick > 0;
+  const bool pressed = report.inputs.cycleStart && !m_latest.inputs.cycleStart && report.tick > 0 &&
+                       report.state == m_latest.state && !report.inputs.stop && !report.inputs.hold;
   if (pressed && report.state == State::Held && (report.aside != Aside::OnPath || report.kind == Kind::Step)) {
     m_wantsResume = true;
   } else if (pressed && report.state == State::Idle && m_job) {
@@ -116,7 +121,34 @@ void Supervisor::supply() {
   }
 }
 
-bool Supervisor::launch(program::Program program, bool beginsRun) {
+// The origin may have been moved since the job was planned.
+std::optional<base::Problem> Supervisor::outsideTravel(const program::Program& program) const {
+  for (const motion::Segment& segment : program.track) {
+    Eigen::AlignedBox3d box;
+    if (const auto* vertical = std::get_if<motion::Vertical>(&segment.shape)) {
+      box.extend(Eigen::Vector3d(vertical->at.x(), vertical->at.y(), vertical->from));
+      box.extend(Eigen::Vector3d(vertical->at.x(), vertical->at.y(), vertical->to));
+    } else {
+      const geometry::Box plane = geometry::bounds(motion::curveOf(segment));
+      box.extend(Eigen::Vector3d(plane.min().x(), plane.min().y(), segment.z));
+      box.extend(Eigen::Vector3d(plane.max().x(), plane.max().y(), segment.z));
+    }
+    const double excess = std::max((-box.min() - m_latest.origin).maxCoeff(),
+                                   (box.max() + m_latest.origin - m_machine.travel).maxCoeff());
+    if (excess > kInsideTravel) {
+      return base::Problem(base::Code::OutsideTravel,
+                           {{"what", std::string("the way with this origin")}, {"excess_mm", excess}})
+          .at(box.center().head<2>());
+    }
+  }
+  return std::nullopt;
+}
+
+bool Supervisor::launch(program::Program program, bool beginsRun, const program::JobPlace& place) {
+  m_refusal = outsideTravel(program);
+  if (m_refusal || program.track.empty()) {
+    return false;
+  }
   m_program = std::move(program);
   ++m_number;
   m_stream.emplace(m_program, m_number,
@@ -131,6 +163,7 @@ bool Supervisor::launch(program::Program program, bool beginsRun) {
     header.spindleSpeed = m_program.kind == Kind::Positioning ? 0 : m_job->recipe.spindle;
   }
   header.beginsRun = beginsRun;
+  header.place = place;
   const bool sent = send(command::Load{header}) && send(command::Start{});
   supply();
   return sent;
@@ -182,14 +215,15 @@ void Supervisor::setOverride(double factor) {
   send(command::Override{factor});
 }
 
-bool Supervisor::load(std::shared_ptr<const job::Job> job) {
-  if (m_isRun || !job || !job->canBeGround()) {
+bool Supervisor::load(std::shared_ptr<const job::Job> job, int panes) {
+  if (m_isRun || !job || !job->canBeGround() || panes < 1) {
     return false;
   }
   m_room = std::make_unique<program::Room>(*job);
   m_job = std::move(job);
   m_jobState = JobState::Initialized;
   m_done = 0;
+  m_ordered = panes;
   return true;
 }
 
@@ -210,7 +244,7 @@ bool Supervisor::start() {
   const bool isParked = (m_latest.commanded - m_job->machine.park).cwiseAbs().maxCoeff() <= kParked;
   return launch(isParked ? program::jobProgram(*m_job)
                          : program::resumeProgram(*m_job, {0, 0}, m_job->recipe.overlap, m_latest.commanded),
-                true);
+                true, {0, 0});
 }
 
 bool Supervisor::startFrom(const program::JobPlace& place) {
@@ -222,7 +256,7 @@ bool Supervisor::startFrom(const program::JobPlace& place) {
     endRun();
     return true;
   }
-  return launch(std::move(rest), true);
+  return launch(std::move(rest), true, place);
 }
 
 bool Supervisor::hold() {

@@ -40,9 +40,18 @@ public:
     return m_job;
   }
 
-  /// Panes ground of those ordered.
+  /// Why the last program was not started, where there is more to say than the state.
+  [[nodiscard]] const std::optional<base::Problem>& refusal() const {
+    return m_refusal;
+  }
+
+  /// Panes ground of the job that is loaded, of those ordered. More may be ground than were ordered.
   [[nodiscard]] int panesDone() const {
     return m_done;
+  }
+
+  [[nodiscard]] int panesOrdered() const {
+    return m_ordered;
   }
 
   // What the operator wants. False where the state does not allow it; nothing is done then. What is allowed is on its
@@ -59,8 +68,8 @@ public:
   bool coolantByHand(bool on);
   void setOverride(double factor);
 
-  /// A job that can be ground, in a state without a program.
-  bool load(std::shared_ptr<const job::Job> job);
+  /// A job that can be ground, in a state without a program, for so many panes.
+  bool load(std::shared_ptr<const job::Job> job, int panes = 1);
   bool unload();
 
   /// Cycle start: the next pane.
@@ -87,7 +96,8 @@ private:
   void doWhatWaits();
   void supply();
   bool send(const Command& command);
-  bool launch(program::Program program, bool beginsRun);
+  [[nodiscard]] std::optional<base::Problem> outsideTravel(const program::Program& program) const;
+  bool launch(program::Program program, bool beginsRun, const program::JobPlace& place = {});
   [[nodiscard]] bool isIdle() const;
 
   recipe::Machine m_machine;
@@ -102,6 +112,8 @@ private:
   JobState m_jobState = JobState::Idle;
   bool m_isRun = false; ///< a run has begun and not ended
   int m_done = 0;
+  int m_ordered = 0;
+  std::optional<base::Problem> m_refusal;
   bool m_wantsResume = false;
   double m_wantsStep = 0;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -121,6 +122,48 @@ std::string shown(const Json& value) {
     text = text.substr(0, kLongest) + "...";
   }
   return text;
+}
+
+Problem wrongType(std::string_view key, std::string expected, const Json& value) {
+  return Problem(Code::ValueWrongType,
+                 {{"name", std::string(key)}, {"expected", std::move(expected)}, {"value", shown(value)}});
+}
+
+std::string bare(const Json& value) {
+  const std::string text = shown(value);
+  return value.is_string() ? text.substr(1, text.find_last_not_of('"')) : text;
+}
+
+Problem notANumber(std::string_view key, std::string_view unit, const Json& value) {
+  return Problem(Code::ValueNotANumber,
+                 {{"name", std::string(key)}, {"unit", std::string(unit)}, {"value", bare(value)}});
+}
+
+std::string oneLine(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json valuesToJson(const std::vector<base::Value>& values) {
+  Json object = Json::object();
+  for (const base::Value& value : values) {
+    std::visit([&](const auto& v) { object[value.name] = v; }, value.value);
+  }
+  return object;
+}
+
+std::vector<base::Value> valuesFromJson(const Json& object) {
+  std::vector<base::Value> values;
+  for (const auto& [name, value] : object.items()) {
+    constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+    if (value.is_number_float() || (value.is_number_unsigned() && value.get<std::uint64_t>() > kMost)) {
+      values.push_back({name, value.get<double>()});
+    } else if (value.is_number_integer()) {
+      values.push_back({name, value.get<std::int64_t>()});
+    } else if (value.is_string()) {
+      values.push_back({name, value.get<std::string>()});
+    }
+  }
+  return values;
 }
 
 } // namespace arris::files

@@ -8,6 +8,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 // What the JSON files of this folder share.
 
@@ -26,8 +27,31 @@ using Json = nlohmann::ordered_json;
 /// A value as it stands in the text, for messages: cut off where it is long.
 [[nodiscard]] std::string shown(const Json& value);
 
+/// The same without the quotes of a text, where they stand in the message.
+[[nodiscard]] std::string bare(const Json& value);
+
+/// Errors for a member of another type: `expected` says of which.
+[[nodiscard]] base::Problem wrongType(std::string_view key, std::string expected, const Json& value);
+[[nodiscard]] base::Problem notANumber(std::string_view key, std::string_view unit, const Json& value);
+
 /// Every key in effect, without the version, as members of the object that is open.
 void writeMembers(JsonWriter& json, const recipe::Recipe& recipe);
 void writeMembers(JsonWriter& json, const recipe::Machine& machine);
+
+/// The members of an object of an earlier `writeMembers`, over the defaults that stand in `recipe`; appends whatever is
+/// wrong to `problems`. A member named `versionKey` is passed over.
+void readMembers(const Json& object, std::string_view file, recipe::Recipe& recipe, base::Problems& problems,
+                 std::string_view versionKey = {});
+void readMembers(const Json& object, std::string_view file, recipe::Machine& machine, base::Problems& problems,
+                 std::string_view versionKey = {});
+
+/// The values of a problem, an event or an alarm as an object; a number that is not finite becomes null.
+[[nodiscard]] Json valuesToJson(const std::vector<base::Value>& values);
+
+/// And back: members that are neither numbers nor texts are left out.
+[[nodiscard]] std::vector<base::Value> valuesFromJson(const Json& object);
+
+/// On one line, bytes that are no UTF-8 as U+FFFD.
+[[nodiscard]] std::string oneLine(const Json& value);
 
 } // namespace arris::files

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 
 namespace arris::files {
@@ -26,7 +27,24 @@ inline constexpr std::size_t kCorner = 15;
 inline constexpr std::size_t kDistance = 16;
 } // namespace column
 
-/// Phases that only a run has, beside those of a plan.
-inline constexpr std::array<std::string_view, 3> kRunPhases{"dwell", "hold", "step"};
+/// What a run's profile has after these.
+inline constexpr std::array<std::string_view, 6> kRunColumns{"x_cmd_mm",     "y_cmd_mm",     "z_cmd_mm",
+                                                             "vx_meas_mm_s", "vy_meas_mm_s", "vz_meas_mm_s"};
+
+/// The words of the column `phase`: those of a plan, then those that only a run has. Records hold places in this table:
+/// new words go to its end.
+inline constexpr std::array<std::string_view, 15> kPhaseWords{
+    "approach",   "plunge",   "lead-in", "cruise",   "decelerate", "transition", "roll", "stop",
+    "accelerate", "lead-out", "retract", "traverse", "dwell",      "hold",       "step"};
+
+/// The place of a word in the table; nothing for any other text.
+[[nodiscard]] constexpr std::optional<std::size_t> phaseNumber(std::string_view word) {
+  for (std::size_t i = 0; i < kPhaseWords.size(); ++i) {
+    if (kPhaseWords[i] == word) {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
 
 } // namespace arris::files

@@ -4,6 +4,7 @@
 #include "core/job/job.h"
 
 #include <functional>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +28,26 @@ struct ProfileRow {
 /// Streams the profile of a planned job as CSV, one row per servo period. `progress`, where given, hears the share that
 /// is done now and then. For jobs that can be ground.
 void writeProfile(const job::Job& job, Output& output, const std::function<void(double)>& progress = {});
+
+struct RunRow;
+class ProfileText;
+
+/// Streams the profile of a run as CSV, row by row: the plan's columns and those that only a run has.
+class RunProfileWriter {
+public:
+  /// Writes the header. `output` must outlive this.
+  explicit RunProfileWriter(Output& output);
+  RunProfileWriter(RunProfileWriter&&) noexcept;
+  RunProfileWriter& operator=(RunProfileWriter&&) noexcept;
+  ~RunProfileWriter();
+
+  void add(const RunRow& row);
+  /// To be called after the last row: rows reach the output in large pieces.
+  void flush();
+
+private:
+  std::unique_ptr<ProfileText> m_text;
+};
 
 /// The rows of a profile from the text of a CSV file. Columns may stand in any order and others beside them; every
 /// value is finite and time increases. CsvMalformed with the line where the text is not such a profile; `file` names

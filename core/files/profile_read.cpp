@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 
 namespace arris::files {
 namespace {
@@ -39,16 +38,6 @@ void split(std::string_view line, Fields& fields) {
     fields.push_back(line.substr(at, comma - at));
     at = comma == std::string_view::npos ? comma : comma + 1;
   }
-}
-
-std::optional<std::string_view> phaseOf(std::string_view word) {
-  for (int i = 0; i < job::kPhaseCount; ++i) {
-    if (const std::string_view name = job::name(static_cast<job::Phase>(i)); name == word) {
-      return name;
-    }
-  }
-  const auto* const run = std::find(kRunPhases.begin(), kRunPhases.end(), word);
-  return run == kRunPhases.end() ? std::nullopt : std::optional(*run);
 }
 
 /// Reads line by line; whatever is wrong is kept as the reason of the first failure.
@@ -173,11 +162,11 @@ private:
   }
 
   std::string_view phase() {
-    const auto word = phaseOf(field(column::kPhase));
-    if (!word) {
+    const auto number = phaseNumber(field(column::kPhase));
+    if (!number) {
       fail(fmt::format("\"{}\" is no phase", clipped(field(column::kPhase))));
     }
-    return word.value_or("");
+    return kPhaseWords.at(number.value_or(0));
   }
 
   std::string_view m_rest;

@@ -1,10 +1,12 @@
 #include "core/files/profile_columns.h"
 #include "core/files/profile_csv.h"
+#include "core/files/run_row.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace arris::files {
@@ -20,17 +22,26 @@ constexpr std::size_t kRowsPiece = std::size_t{1} << 18; ///< bytes given to the
 constexpr std::size_t kLongestRow = 1024;
 constexpr std::ptrdiff_t kLongestNumber = 32;
 
-/// Rows as text, gathered into large pieces.
-class Rows {
-public:
-  explicit Rows(Output& output) : m_output(output), m_buffer(kRowsPiece + kLongestRow, '\0'), m_end(m_buffer.data()) {}
+ProfileRow rowOf(const job::Sample& sample) {
+  const motion::SetPoint& at = sample.setPoint;
+  return {at.time,        at.position,    at.velocity,    at.axisAcceleration,     sample.speed,
+          sample.path,    sample.contour, sample.segment, job::name(sample.phase), sample.corner,
+          sample.distance};
+}
 
-  void header() {
-    for (const std::string_view name : kProfileColumns) {
+} // namespace
+
+/// Rows as text, gathered into large pieces.
+class ProfileText {
+public:
+  explicit ProfileText(Output& output)
+      : m_output(output), m_buffer(kRowsPiece + kLongestRow, '\0'), m_end(m_buffer.data()) {}
+
+  void names(std::span<const std::string_view> columns) {
+    for (const std::string_view name : columns) {
       text(name);
       separate();
     }
-    endRow();
   }
 
   void row(const ProfileRow& row) {
@@ -56,7 +67,24 @@ public:
     } else {
       separate();
     }
-    endRow();
+  }
+
+  void runRow(const RunRow& run) {
+    row(run.row);
+    for (const double x : run.commanded) {
+      position(x);
+    }
+    for (const double v : run.measuredVelocity) {
+      number(v);
+    }
+  }
+
+  // The last separator becomes the end of the line.
+  void endRow() {
+    m_end[-1] = '\n';
+    if (static_cast<std::size_t>(m_end - m_buffer.data()) >= kRowsPiece) {
+      flush();
+    }
   }
 
   void flush() {
@@ -105,41 +133,45 @@ private:
     separate();
   }
 
-  // The last separator becomes the end of the line.
-  void endRow() {
-    m_end[-1] = '\n';
-    if (static_cast<std::size_t>(m_end - m_buffer.data()) >= kRowsPiece) {
-      flush();
-    }
-  }
-
   Output& m_output;
   std::string m_buffer;
   char* m_end;
 };
 
-ProfileRow rowOf(const job::Sample& sample) {
-  const motion::SetPoint& at = sample.setPoint;
-  return {at.time,        at.position,    at.velocity,    at.axisAcceleration,     sample.speed,
-          sample.path,    sample.contour, sample.segment, job::name(sample.phase), sample.corner,
-          sample.distance};
-}
-
-} // namespace
-
 void writeProfile(const job::Job& job, Output& output, const std::function<void(double)>& progress) {
   constexpr std::size_t kRowsBetweenProgress = 10000;
-  Rows rows(output);
-  rows.header();
+  ProfileText text(output);
+  text.names(kProfileColumns);
+  text.endRow();
   job::Sampler sampler(job);
   const std::size_t count = sampler.count();
   for (std::size_t i = 0; !sampler.done() && !output.failed(); ++i) {
-    rows.row(rowOf(sampler.next()));
+    text.row(rowOf(sampler.next()));
+    text.endRow();
     if (progress && i % kRowsBetweenProgress == 0) {
       progress(static_cast<double>(i) / static_cast<double>(count));
     }
   }
-  rows.flush();
+  text.flush();
+}
+
+RunProfileWriter::RunProfileWriter(Output& output) : m_text(std::make_unique<ProfileText>(output)) {
+  m_text->names(kProfileColumns);
+  m_text->names(kRunColumns);
+  m_text->endRow();
+}
+
+RunProfileWriter::RunProfileWriter(RunProfileWriter&&) noexcept = default;
+RunProfileWriter& RunProfileWriter::operator=(RunProfileWriter&&) noexcept = default;
+RunProfileWriter::~RunProfileWriter() = default;
+
+void RunProfileWriter::add(const RunRow& row) {
+  m_text->runRow(row);
+  m_text->endRow();
+}
+
+void RunProfileWriter::flush() {
+  m_text->flush();
 }
 
 } // namespace arris::files

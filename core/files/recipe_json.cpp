@@ -28,22 +28,6 @@ template <typename Field> const Field* find(std::span<const Field> fields, std::
   return field == fields.end() ? nullptr : &*field;
 }
 
-Problem wrongType(std::string_view key, std::string expected, const Json& value) {
-  return Problem(Code::ValueWrongType,
-                 {{"name", std::string(key)}, {"expected", std::move(expected)}, {"value", shown(value)}});
-}
-
-// Without the quotes of a text, which stand in the message.
-std::string bare(const Json& value) {
-  const std::string text = shown(value);
-  return value.is_string() ? text.substr(1, text.find_last_not_of('"')) : text;
-}
-
-Problem notANumber(std::string_view key, std::string_view unit, const Json& value) {
-  return Problem(Code::ValueNotANumber,
-                 {{"name", std::string(key)}, {"unit", std::string(unit)}, {"value", bare(value)}});
-}
-
 /// Sets the members of a recipe or machine from JSON values and gathers what is wrong.
 class Setter {
 public:
@@ -145,8 +129,18 @@ void append(Problems& problems, Problems more) {
 }
 
 template <typename T, typename SetMember>
-Read<T> read(std::string_view text, std::string_view file, const T& defaults, std::string_view versionKey, int known,
-             SetMember setMember) {
+void setMembers(const Json& object, std::string_view file, T& value, Problems& problems, std::string_view versionKey,
+                SetMember setMember) {
+  for (const auto& [key, member] : object.items()) {
+    if (key != versionKey && !setMember(value, key, member, problems)) {
+      problems.push_back(Problem(Code::UnknownKey, {{"file", std::string(file)}, {"key", key}}));
+    }
+  }
+  append(problems, recipe::check(value));
+}
+
+template <typename T>
+Read<T> read(std::string_view text, std::string_view file, const T& defaults, std::string_view versionKey, int known) {
   Read<T> result{defaults, {}};
   const auto object = parseJson(text, file);
   if (!object) {
@@ -157,12 +151,7 @@ Read<T> read(std::string_view text, std::string_view file, const T& defaults, st
     result.problems.push_back(version.error());
     return result;
   }
-  for (const auto& [key, value] : object->items()) {
-    if (key != versionKey && !setMember(result.value, key, value, result.problems)) {
-      result.problems.push_back(Problem(Code::UnknownKey, {{"file", std::string(file)}, {"key", key}}));
-    }
-  }
-  append(result.problems, recipe::check(result.value));
+  readMembers(*object, file, result.value, result.problems, versionKey);
   return result;
 }
 
@@ -211,6 +200,16 @@ void writeMembers(JsonWriter& json, const Machine& machine) {
   }
 }
 
+void readMembers(const Json& object, std::string_view file, Recipe& recipe, Problems& problems,
+                 std::string_view versionKey) {
+  setMembers(object, file, recipe, problems, versionKey, setRecipe);
+}
+
+void readMembers(const Json& object, std::string_view file, Machine& machine, Problems& problems,
+                 std::string_view versionKey) {
+  setMembers(object, file, machine, problems, versionKey, setMachine);
+}
+
 std::string writeRecipe(const Recipe& recipe) {
   return write(kRecipeKey, kRecipeVersion, recipe);
 }
@@ -220,11 +219,11 @@ std::string writeMachine(const Machine& machine) {
 }
 
 Read<Recipe> readRecipe(std::string_view text, std::string_view file, const Recipe& defaults) {
-  return read(text, file, defaults, kRecipeKey, kRecipeVersion, setRecipe);
+  return read(text, file, defaults, kRecipeKey, kRecipeVersion);
 }
 
 Read<Machine> readMachine(std::string_view text, std::string_view file, const Machine& defaults) {
-  return read(text, file, defaults, kMachineKey, kMachineVersion, setMachine);
+  return read(text, file, defaults, kMachineKey, kMachineVersion);
 }
 
 } // namespace arris::files

@@ -1,5 +1,7 @@
 #include "core/files/whole_file.h"
 
+#include "core/files/descriptor.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -7,93 +9,20 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <system_error>
-#include <utility>
 
 namespace arris::files {
 namespace {
 
 using base::Code;
 using base::Expected;
-using base::Problem;
 using base::Unexpected;
 using std::filesystem::path;
 
-Unexpected failure(Code code, const path& file, std::string why) {
-  return Unexpected(Problem(code, {{"file", file.string()}, {"reason", std::move(why)}}));
-}
-
-// The reason in English whatever the locale.
 Unexpected failure(Code code, const path& file, int error) {
-  const char* text = strerrordesc_np(error);
-  return failure(code, file, text ? text : fmt::format("error {}", error));
+  return Unexpected(systemProblem(code, file, error));
 }
-
-class Descriptor {
-public:
-  explicit Descriptor(int number = -1) : m_number(number) {}
-
-  ~Descriptor() {
-    close();
-  }
-
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  Descriptor(Descriptor&& other) noexcept : m_number(std::exchange(other.m_number, -1)) {}
-
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(m_number, other.m_number);
-    return *this;
-  }
-
-  [[nodiscard]] int number() const {
-    return m_number;
-  }
-
-  [[nodiscard]] bool isOpen() const {
-    return m_number >= 0;
-  }
-
-  // False with errno: network file systems report a full disk only here.
-  bool close() {
-    return !isOpen() || ::close(std::exchange(m_number, -1)) == 0;
-  }
-
-private:
-  int m_number;
-};
-
-// A file size limit or a closed pipe would end the process by a signal; here each is an error like others. The signals
-// go to the thread that writes, so they wait while blocked and are taken away before they would be let through.
-class WriteSignalsBlocked {
-public:
-  WriteSignalsBlocked() {
-    sigemptyset(&m_signals);
-    sigaddset(&m_signals, SIGXFSZ);
-    sigaddset(&m_signals, SIGPIPE);
-    pthread_sigmask(SIG_BLOCK, &m_signals, &m_before);
-  }
-
-  ~WriteSignalsBlocked() {
-    constexpr timespec kNoWait{};
-    while (sigtimedwait(&m_signals, nullptr, &kNoWait) > 0) {
-    }
-    pthread_sigmask(SIG_SETMASK, &m_before, nullptr);
-  }
-
-  WriteSignalsBlocked(const WriteSignalsBlocked&) = delete;
-  WriteSignalsBlocked& operator=(const WriteSignalsBlocked&) = delete;
-  WriteSignalsBlocked(WriteSignalsBlocked&&) = delete;
-  WriteSignalsBlocked& operator=(WriteSignalsBlocked&&) = delete;
-
-private:
-  sigset_t m_signals{};
-  sigset_t m_before{};
-};
 
 // A new file in a folder, deleted at the end unless it got its final name.
 class TemporaryFile {

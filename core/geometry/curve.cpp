@@ -1,11 +1,13 @@
 #include "core/geometry/curve.h"
 
 #include "core/base/numbers.h"
+#include "core/geometry/meetings.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace arris::geometry {
 namespace {
@@ -97,29 +99,39 @@ double distanceLineLine(const Line& a, const Line& b) {
                    nearestOnLine(b, a.from).distance, nearestOnLine(b, a.to).distance});
 }
 
+// Where two curves cross, however flat they are: their centres may lie too far away to compute with.
+double distanceAtMeetings(const Curve& a, const Curve& b) {
+  const Track track(a);
+  const Track::Meetings meetings = track.meetWhole(b);
+  double best = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < meetings.count; ++i) {
+    if (std::abs(meetings.s[i]) <= track.end()) {
+      best = std::min(best, nearest(b, track.at(meetings.s[i])).distance);
+    }
+  }
+  return best;
+}
+
 // Between the ends only the foot of the centre on the line, and the crossings of line and circle, can be nearest.
 double distanceLineArc(const Line& line, const Arc& arc) {
   double best = std::min({nearestOnLine(line, arc.start).distance, nearestOnLine(line, endPoint(arc)).distance,
-                          nearestOnArc(arc, line.from).distance, nearestOnArc(arc, line.to).distance});
+                          nearestOnArc(arc, line.from).distance, nearestOnArc(arc, line.to).distance,
+                          distanceAtMeetings(line, arc)});
   const Vector way = line.to - line.from;
   const double length = way.norm();
   const Vector direction = way / length;
-  const Point center = arc.center();
-  const double along = (center - line.from).dot(direction);
-  const double away = cross(direction, center - line.from);
-  const double half = std::sqrt(std::max(0.0, squared(arc.radius()) - squared(away)));
-  for (const double lambda : {along, along - half, along + half}) {
-    if (lambda >= 0 && lambda <= length) {
-      best = std::min(best, nearestOnArc(arc, line.from + lambda * direction).distance);
-    }
+  const double along = (arc.center() - line.from).dot(direction);
+  if (along >= 0 && along <= length) {
+    best = std::min(best, nearestOnArc(arc, line.from + along * direction).distance);
   }
   return best;
 }
 
 // Between the ends only points on the line of the centres, and the crossings of the circles, can be nearest.
 double distanceArcArc(const Arc& a, const Arc& b) {
-  double best = std::min({nearestOnArc(a, b.start).distance, nearestOnArc(a, endPoint(b)).distance,
-                          nearestOnArc(b, a.start).distance, nearestOnArc(b, endPoint(a)).distance});
+  double best =
+      std::min({nearestOnArc(a, b.start).distance, nearestOnArc(a, endPoint(b)).distance,
+                nearestOnArc(b, a.start).distance, nearestOnArc(b, endPoint(a)).distance, distanceAtMeetings(a, b)});
   const Vector between = b.center() - a.center();
   const double apart = between.norm();
   if (apart < 1e-9 * (a.radius() + b.radius())) { // concentric: any common direction will do
@@ -129,12 +141,7 @@ double distanceArcArc(const Arc& a, const Arc& b) {
     return best;
   }
   const Vector direction = between / apart;
-  const double ra = a.radius();
-  const double along = (squared(apart) + squared(ra) - squared(b.radius())) / (2 * apart);
-  const double half = std::sqrt(std::max(0.0, squared(ra) - squared(along)));
-  const std::array<Point, 4> candidates{a.center() + ra * direction, a.center() - ra * direction,
-                                        a.center() + along * direction + half * leftOf(direction),
-                                        a.center() + along * direction - half * leftOf(direction)};
+  const std::array<Point, 2> candidates{a.center() + a.radius() * direction, a.center() - a.radius() * direction};
   for (const Point& candidate : candidates) {
     const Nearest onA = nearestOnArc(a, candidate);
     best = std::min(best, nearestOnArc(b, evaluate(a, onA.lambda).point).distance);

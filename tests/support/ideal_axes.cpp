@@ -8,7 +8,8 @@ IdealAxes::IdealAxes(const recipe::Machine& machine, const Eigen::Vector3d& stan
 }
 
 control::Feedback IdealAxes::read() {
-  control::Feedback feedback = m_feedback;
+  m_told = answers ? m_feedback : m_told;
+  control::Feedback feedback = m_told;
   feedback.inputs = inputs;
   feedback.inputs.driveReady = m_outputs.driveEnable;
   feedback.inputs.spindleAtSpeed = spindleWorks && m_outputs.spindleSpeed > 0;
@@ -17,7 +18,8 @@ control::Feedback IdealAxes::read() {
   for (std::size_t i = 0; i < control::kAxes; ++i) {
     const auto axis = static_cast<int>(i);
     const double at = m_machine.homeAt[axis];
-    feedback.inputs.reference[i] = at > m_machine.travel[axis] / 2 ? place[axis] >= at : place[axis] <= at;
+    feedback.inputs.reference[i] =
+        switchesWork && (at > m_machine.travel[axis] / 2 ? place[axis] >= at : place[axis] <= at);
   }
   return feedback;
 }
@@ -25,8 +27,10 @@ control::Feedback IdealAxes::read() {
 bool IdealAxes::write(const Eigen::Vector3d& setPoint, const control::Outputs& outputs) {
   m_outputs = outputs;
   m_queue.push_back(setPoint);
-  if (static_cast<int>(m_queue.size()) > m_lead && answers) {
-    m_feedback.position = m_queue.front();
+  if (static_cast<int>(m_queue.size()) > m_lead) {
+    if (m_outputs.driveEnable[0]) { // without drives they stay where they are
+      m_feedback.position = m_queue.front();
+    }
     m_queue.pop_front();
     ++m_feedback.tick;
   }

@@ -22,6 +22,7 @@ public:
   control::Inputs inputs;
   bool spindleWorks = true;
   bool coolantWorks = true;
+  bool switchesWork = true;
   bool answers = true; ///< feedback goes on
 
 private:
@@ -30,6 +31,7 @@ private:
   int m_lead;
   std::deque<Eigen::Vector3d> m_queue;
   control::Feedback m_feedback;
+  control::Feedback m_told;
   control::Outputs m_outputs;
 };
 

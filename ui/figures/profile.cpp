@@ -132,6 +132,18 @@ void reserve(ProfileColumns& columns, std::size_t rows) {
   columns.zone.reserve(rows);
 }
 
+} // namespace
+
+Zone zoneOf(std::string_view phase) {
+  if (phase == "decelerate") {
+    return Zone::Slowing;
+  }
+  if (phase == "transition" || phase == "roll" || phase == "stop") {
+    return Zone::Corner;
+  }
+  return phase == "accelerate" ? Zone::Leaving : Zone::None;
+}
+
 void append(ProfileColumns& columns, const files::ProfileRow& row) {
   columns.time.push_back(row.time);
   columns.vx.push_back(row.velocity.x());
@@ -143,18 +155,6 @@ void append(ProfileColumns& columns, const files::ProfileRow& row) {
   columns.contour.push_back(row.contour);
   columns.corner.push_back(row.corner);
   columns.zone.push_back(zoneOf(row.phase));
-}
-
-} // namespace
-
-Zone zoneOf(std::string_view phase) {
-  if (phase == "decelerate") {
-    return Zone::Slowing;
-  }
-  if (phase == "transition" || phase == "roll" || phase == "stop") {
-    return Zone::Corner;
-  }
-  return phase == "accelerate" ? Zone::Leaving : Zone::None;
 }
 
 ProfileColumns columnsOf(const job::Job& job, const std::function<bool()>& wanted) {

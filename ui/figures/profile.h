@@ -30,6 +30,9 @@ struct ProfileColumns {
   std::vector<Zone> zone;
 };
 
+/// One more row.
+void append(ProfileColumns& columns, const files::ProfileRow& row);
+
 /// Every row of the planned profile; fewer where it is no longer `wanted` meanwhile: a slow feed makes millions of
 /// rows.
 [[nodiscard]] ProfileColumns columnsOf(

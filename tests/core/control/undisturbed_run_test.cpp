@@ -1,5 +1,7 @@
 // A run that nobody disturbs is the plan.
 
+#include "core/control/run_rows.h"
+#include "core/control/simulated_axes.h"
 #include "tests/support/bench.h"
 #include "tests/support/panes.h"
 #include "tests/support/random_panes.h"
@@ -54,6 +56,51 @@ TEST_P(UndisturbedRuns, OfRandomPanesAreThePlanToTheLastBit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, UndisturbedRuns, testing::Range(0, 12));
+
+/// The rows of a run on simulated axes beside those of the plan.
+void expectRowsOfPlan(const job::Job& job) {
+  auto axes = std::make_unique<SimulatedAxes>(job.machine, Pace::Simulated, Eigen::Vector3d(40, 50, 100),
+                                              Eigen::Vector3d(0, 0, 0));
+  Bench bench(job.machine, std::move(axes));
+  bench.getReady(job);
+  job::Sampler plan(job);
+  std::size_t count = 0;
+  RunRows rows(bench.supervisor.job(), [&](const files::RunRow& run) {
+    ++count;
+    const job::Sample row = plan.next();
+    if (plan.done()) {
+      return;
+    }
+    SCOPED_TRACE(testing::Message() << "row " << count);
+    ASSERT_EQ(run.row.time, row.setPoint.time);
+    ASSERT_EQ(run.row.phase, job::name(row.phase));
+    ASSERT_EQ(run.row.corner, row.corner);
+    ASSERT_EQ(run.row.contour, row.contour);
+    ASSERT_EQ(run.row.segment, row.segment);
+    ASSERT_EQ(run.row.path, row.path);
+    ASSERT_NEAR(run.row.distance, row.distance, 1e-12);
+    ASSERT_LT((run.row.position - row.setPoint.position).norm(), 0.05);
+    ASSERT_LT((run.measuredVelocity - row.setPoint.velocity).norm(), 5);
+  });
+  bench.onPeriod = [&](const Report& report, const Cycle&) { rows.add(report); };
+  ASSERT_TRUE(bench.supervisor.start());
+  ASSERT_TRUE(bench.until(State::Running, 20));
+  ASSERT_TRUE(bench.until([&] { return bench.supervisor.jobState() == JobState::Ended; }, 2 * job.duration + 10));
+  rows.finish();
+  EXPECT_EQ(count, plan.count());
+}
+
+TEST(RunRows, OfAnUndisturbedRunAreThoseOfThePlan) {
+  expectRowsOfPlan(job::planJob(test::triangle600(), recipe::Recipe{}, recipe::Machine{}));
+  for (std::uint64_t seed = 300; seed < 330;) {
+    SCOPED_TRACE(seed);
+    const job::Job job = test::randomJob(seed);
+    expectRowsOfPlan(job);
+    if (testing::Test::HasFailure()) {
+      return;
+    }
+  }
+}
 
 } // namespace
 } // namespace arris::control

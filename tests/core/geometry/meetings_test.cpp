@@ -24,7 +24,8 @@ TEST(Meetings, WithAnArcOfAnyRadiusAreExact) {
       const Track::Meetings meetings = track.meetBeside(arc, beside);
       double nearest = 1e300;
       for (std::size_t i = 0; i < meetings.count; ++i) {
-        const double expected = 3 + beside + 0.125 / (radius - beside);
+        const double r = radius - beside;
+        const double expected = 3 + beside + 0.25 / (r + std::sqrt(r * r - 0.25));
         nearest = std::min(nearest, std::abs(track.at(meetings.s[i]).y() - expected));
       }
       EXPECT_LT(nearest, 1e-6 / radius + 1e-12) << radius << " " << beside;
@@ -37,6 +38,18 @@ TEST(Meetings, BesideAnArcGoPastItsCentre) {
   const Track::Meetings meetings = Track(Line{{0, 0}, {100, 0}}).meetBeside(arc, 25); // a circle of radius 20
   ASSERT_EQ(meetings.count, 2u);
   EXPECT_NEAR(std::abs(meetings.s[0] - meetings.s[1]), 40, 1e-9);
+}
+
+TEST(Distance, OfCurvesThatCrossIsNoneHoweverFlatTheyAre) {
+  for (const double radius : {1e2, 1e4, 1e6, 1e9, 1e12, 1e14, 1e16}) {
+    const Arc arch = archAt(3, radius);
+    EXPECT_LT(distance(arch, Line{{0.5, -200}, {0.7, 200}}, 0.001), 1e-9) << radius;
+    for (const double other : {1e2, 1e6, 1e12, 1e16}) {
+      const Arc across{{1, -60}, {0, 1}, 1 / other, 120};
+      EXPECT_LT(distance(arch, across, 0.001), 1e-9) << radius << " " << other;
+      EXPECT_LT(distance(across, arch, 0.001), 1e-9) << radius << " " << other;
+    }
+  }
 }
 
 } // namespace

@@ -155,7 +155,7 @@ TEST(RecipeCheck, PlacesAreFiniteAndNotAbsurd) {
 TEST(MachineCheck, EveryNumberIsFiniteAndInItsRange) {
   for (const MachineNumberField& field : machineNumberFields()) {
     for (const double value :
-         {std::nextafter(field.least, -kInfinity), std::nextafter(field.most, kInfinity), 0.0, -1.0, kNaN, kInfinity}) {
+         {std::nextafter(field.least, -kInfinity), std::nextafter(field.most, kInfinity), -1.0, kNaN, kInfinity}) {
       Machine machine;
       machine.*field.member = value;
       ASSERT_EQ(check(machine).size(), 1u) << field.key << " " << value;

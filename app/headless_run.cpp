@@ -1,0 +1,237 @@
+#include "app/headless_run.h"
+
+#include "app/interruption.h"
+#include "app/messages.h"
+#include "app/progress.h"
+#include "core/control/control_thread.h"
+#include "core/control/supervisor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <functional>
+#include <thread>
+
+namespace arris::app {
+namespace {
+
+using control::State;
+
+/// The operator's side is served so often, s.
+constexpr double kServeEvery = 0.01;
+
+/// Longer than any axis needs to find its switch, s.
+constexpr double kHomingPatience = 3600;
+
+std::string wallClock() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &local);
+  return text;
+}
+
+/// The machine with its operator's side, in real or simulated time.
+class Machine {
+public:
+  Machine(const HeadlessRun& run, const std::shared_ptr<const job::Job>& job)
+      : m_run(run), m_job(job), m_keeper(run.folder, job, run.patternFile, run.patternHash, wallClock),
+        m_axes(job->machine, run.isFast ? control::Pace::Simulated : control::Pace::Real,
+               job->machine.travel / 2), // as it was left, somewhere
+        m_controller(job->machine, m_channels),
+        m_supervisor(job->machine, m_channels,
+                     {[this](const control::Report& report) { hear(report); },
+                      [this](const control::FaultReport& fault) { hear(fault); }}) {
+    if (!run.isFast) {
+      m_thread.emplace(m_controller, m_axes, job->machine.period);
+    }
+  }
+
+  Executed execute() {
+    const ExitStatus status = begin() ? grind() : broken();
+    comeToRest();
+    m_keeper.finish();
+    tell(m_keeper.takeProblems());
+    if (m_thread) {
+      const control::Timing timing = m_thread->timing();
+      if (const std::string missing = m_thread->shortcomings(); !missing.empty()) {
+        complain(fmt::format("note: {}", missing));
+      }
+      fmt::print("Late wake-ups {}, least lead left {} periods\n", timing.lateWakeUps, timing.worstLead);
+      m_thread.reset();
+    }
+    if (status == ExitStatus::Done) {
+      fmt::print("Ground in {:.3f} s. Record: {}\n", m_time, m_keeper.record().string());
+    }
+    return {status, m_keeper.record()};
+  }
+
+private:
+  // Everything up to the cycle start; false where a fault or an interruption came in between.
+  bool begin() {
+    constexpr double kSoon = 5;
+    return until([this] { return latest().tick > 0; }, kSoon) && m_supervisor.enable() &&
+           until([this] { return latest().drivesReady; }, kSoon) && m_supervisor.home() &&
+           until([this] { return latest().state == State::Idle && latest().homed; }, kHomingPatience) && park() &&
+           m_supervisor.load(m_job) && start();
+  }
+
+  bool park() {
+    const bool isThere = (latest().commanded - m_job->machine.park).norm() < 1e-6;
+    return isThere || (m_supervisor.park() && until([this] { return latest().state == State::Positioning; }, 5) &&
+                       until([this] { return latest().state == State::Idle; }, kHomingPatience));
+  }
+
+  bool start() {
+    m_supervisor.setOverride(m_run.overrideFactor);
+    const bool started = m_run.from ? m_supervisor.startFrom(*m_run.from) : m_supervisor.start();
+    if (m_supervisor.refusal()) {
+      tell({&*m_supervisor.refusal(), 1}, "on the table");
+    }
+    return started;
+  }
+
+  ExitStatus grind() {
+    using control::JobState;
+    const auto isOver = [this] {
+      const JobState state = m_supervisor.jobState();
+      return state == JobState::Ended || state == JobState::Aborted || isFaulted();
+    };
+    bool stops = false;
+    while (!isOver()) {
+      pass();
+      if (interrupted() && !stops) {
+        stops = true;
+        m_supervisor.stop();
+      }
+      if (stops && latest().state == State::Idle) {
+        break;
+      }
+    }
+    // The last places are still under way.
+    for (int i = 0; i < 20; ++i) {
+      pass();
+    }
+    m_progress.show("");
+    return isFaulted() ? ExitStatus::MachineFaulted : stops ? ExitStatus::Interrupted : ExitStatus::Done;
+  }
+
+  ExitStatus broken() const {
+    if (isFaulted()) {
+      return ExitStatus::MachineFaulted;
+    }
+    return interrupted() ? ExitStatus::Interrupted : ExitStatus::CannotBeGround;
+  }
+
+  // Whatever the reason to end: the axes rest before the drives go off.
+  void comeToRest() {
+    constexpr int kMostPasses = 6000; // a minute
+    for (int i = 0; i < kMostPasses && control::isMoving(latest().state); ++i) {
+      if (i == 0) {
+        m_supervisor.stop();
+      }
+      pass();
+    }
+    m_supervisor.serve();
+  }
+
+  [[nodiscard]] bool isFaulted() const {
+    return latest().state == State::Faulted || latest().state == State::EmergencyStop;
+  }
+
+  [[nodiscard]] const control::Report& latest() const {
+    return m_supervisor.latest();
+  }
+
+  // So much time goes by, and the operator's side is served.
+  void pass() {
+    if (m_thread) {
+      std::this_thread::sleep_for(std::chrono::duration<double>(kServeEvery));
+    } else {
+      const int periods = std::max(1, static_cast<int>(kServeEvery / m_job->machine.period));
+      for (int i = 0; i < periods; ++i) {
+        const control::Cycle& cycle = m_controller.advance(m_axes.read());
+        m_axes.write(cycle.setPoint, cycle.outputs);
+        inject(m_controller.report());
+      }
+    }
+    m_supervisor.serve();
+  }
+
+  bool until(const std::function<bool()>& isSo, double seconds) {
+    const auto most = static_cast<std::int64_t>(seconds / kServeEvery);
+    for (std::int64_t i = 0; i < most && !isFaulted() && !interrupted(); ++i) {
+      pass();
+      if (isSo()) {
+        return true;
+      }
+    }
+    if (!isFaulted() && !interrupted()) {
+      complain(fmt::format("the machine does not answer as it should; it is {}", control::name(latest().state)));
+    }
+    return false;
+  }
+
+  void inject(const control::Report& report) {
+    for (std::size_t i = 0; i < m_run.injections.size(); ++i) {
+      const double seconds = m_run.injections[i].seconds;
+      const bool isDue = report.runTick >= 0 && static_cast<double>(report.runTick) * m_job->machine.period >= seconds;
+      if (isDue && (m_injected & (std::uint64_t{1} << i)) == 0) {
+        m_injected |= std::uint64_t{1} << i;
+        m_axes.inject(m_run.injections[i].fault);
+      }
+    }
+  }
+
+  void hear(const control::Report& report) {
+    m_keeper.add(report);
+    if (m_thread) {
+      inject(report);
+    }
+    if (report.runTick >= 0) {
+      m_time = static_cast<double>(report.runTick) * m_job->machine.period;
+      m_progress.show("Grinding", std::min(1.0, report.path / m_length));
+    }
+  }
+
+  void hear(const control::FaultReport& fault) {
+    m_keeper.add(fault);
+    const control::FaultInfo& row = control::info(fault.fault);
+    m_progress.show("");
+    complain(fmt::format("fault: {} [{}]", control::describe(fault), row.name));
+    complain(fmt::format("remedy: {}", row.remedy));
+  }
+
+  static double lengthOf(const job::Job& job) {
+    double length = 0;
+    for (const motion::Segment& segment : job.track) {
+      length += motion::arcLength(segment, motion::parameterLength(segment));
+    }
+    return length;
+  }
+
+  const HeadlessRun& m_run;
+  std::shared_ptr<const job::Job> m_job;
+  double m_length = lengthOf(*m_job);
+  control::RunKeeper m_keeper;
+  control::Channels m_channels;
+  control::SimulatedAxes m_axes;
+  control::Controller m_controller;
+  control::Supervisor m_supervisor;
+  std::optional<control::ControlThread> m_thread; ///< in real time
+  Progress m_progress;
+  std::uint64_t m_injected = 0;
+  double m_time = 0; ///< of the run, s
+};
+
+} // namespace
+
+Executed execute(const HeadlessRun& run, const std::shared_ptr<const job::Job>& job) {
+  const auto machine = std::make_unique<Machine>(run, job);
+  return machine->execute();
+}
+
+} // namespace arris::app

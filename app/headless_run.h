@@ -1,0 +1,40 @@
+#pragma once
+
+#include "app/exit_status.h"
+#include "core/control/run_keeper.h"
+#include "core/control/simulated_axes.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace arris::app {
+
+/// A fault of the simulated machine at a time of the run, s.
+struct Injection {
+  control::SimulatedFault fault{};
+  double seconds = 0;
+};
+
+/// How a job is to be executed without a window.
+struct HeadlessRun {
+  control::StateFolder folder;
+  std::string patternFile;
+  std::string patternHash;
+  std::string axes; ///< "simulated", "linuxcnc"
+  bool isFast = false;
+  double overrideFactor = 1;
+  std::vector<Injection> injections;
+  std::optional<program::JobPlace> from; ///< resumes there
+};
+
+struct Executed {
+  ExitStatus status = ExitStatus::Done;
+  std::filesystem::path record; ///< empty where the run did not begin
+};
+
+/// Switches the machine on, homes it, parks the wheel, runs the job and switches off. Ctrl-C is a controlled stop.
+[[nodiscard]] Executed execute(const HeadlessRun& run, const std::shared_ptr<const job::Job>& job);
+
+} // namespace arris::app

@@ -1,0 +1,171 @@
+#include "app/command_line.h"
+#include "app/headless_run.h"
+#include "app/interruption.h"
+#include "app/job_request.h"
+#include "app/messages.h"
+#include "core/files/file_hash.h"
+#include "core/files/resume_point.h"
+
+#include <QCoreApplication>
+#include <QStandardPaths>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <CLI/Validators.hpp>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+namespace arris::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What `arris run` is asked for beside the job.
+struct RunRequest {
+  std::string axes = "simulated";
+  std::string speed = "real";
+  double overridePercent = 100;
+  std::vector<std::string> injections;
+  bool resumes = false;
+  fs::path stateFolder;
+};
+
+void addRunOptions(CLI::App& call, RunRequest& request) {
+  const char* const group = "Run";
+  call.add_option("--axes", request.axes, "Which axes move (simulated, linuxcnc)")
+      ->check(CLI::IsMember({"simulated", "linuxcnc"}))
+      ->type_name("WORD")
+      ->group(group);
+  call.add_option("--speed", request.speed, "Simulated axes: at the clock's pace or as fast as they can (real, fast)")
+      ->check(CLI::IsMember({"real", "fast"}))
+      ->type_name("WORD")
+      ->group(group);
+  call.add_option("--override", request.overridePercent, "Feed override, 10 to 150 %")
+      ->check(CLI::Range(10.0, 150.0))
+      ->type_name("PERCENT")
+      ->group(group);
+  call.add_option("--inject", request.injections, "A fault of the simulated machine at a time of the run, repeatable")
+      ->type_name("FAULT@SECONDS")
+      ->group(group);
+  call.add_flag("--resume", request.resumes, "Go on where the last job was broken off, with its recipe and machine")
+      ->group(group);
+  call.add_option("--state-dir", request.stateFolder, "Folder of records, alarms and the resume point")
+      ->type_name("DIR")
+      ->group(group);
+}
+
+fs::path defaultStateFolder() {
+  QCoreApplication::setApplicationName("arris");
+  return fs::path(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation).toStdString());
+}
+
+OrStatus<std::vector<Injection>> injectionsOf(const std::vector<std::string>& texts) {
+  std::vector<Injection> result;
+  for (const std::string& text : texts) {
+    const std::size_t at = text.rfind('@');
+    const auto fault = control::faultNamed(std::string_view(text).substr(0, at));
+    double seconds = -1;
+    if (at != std::string::npos) {
+      const char* const end = text.data() + text.size();
+      const auto [last, error] = std::from_chars(text.data() + at + 1, end, seconds);
+      seconds = last == end && error == std::errc() && std::isfinite(seconds) ? seconds : -1;
+    }
+    if (!fault || seconds < 0) {
+      std::string names;
+      for (const auto& [name, known] : control::kSimulatedFaultNames) {
+        names += names.empty() ? "" : ", ";
+        names += name;
+      }
+      complain(fmt::format("--inject: \"{}\" is not FAULT@SECONDS with one of the faults {} (see: arris help run)",
+                           text, names));
+      return tl::unexpected(ExitStatus::WrongUsage);
+    }
+    result.push_back({*fault, seconds});
+  }
+  return result;
+}
+
+/// The place where the job of this pattern was broken off; recipe and machine become those of that job.
+OrStatus<program::JobPlace> resumePlace(const fs::path& file, const std::string& patternHash, Settings& settings) {
+  const auto text = load(file);
+  if (!text) {
+    complain("there is no job to resume");
+    return tl::unexpected(text.error());
+  }
+  const auto read = files::readResumePoint(*text, file.string());
+  if (const ExitStatus status = tellAndJudge(read.problems); status != ExitStatus::Done) {
+    return tl::unexpected(status);
+  }
+  const files::ResumePoint& point = read.value;
+  if (point.patternHash != patternHash) {
+    complain(fmt::format("the job that was broken off is of another pattern or an earlier state of it: {}",
+                         point.patternFile));
+    return tl::unexpected(ExitStatus::WrongUsage);
+  }
+  settings = {point.recipe, point.machine};
+  return point.place;
+}
+
+} // namespace
+
+ExitStatus runJob(const Arguments& arguments) {
+  CLI::App call("Executes a job through the controller, without a window.", "arris run");
+  JobRequest request;
+  addJobOptions(call, request);
+  RunRequest runRequest;
+  addRunOptions(call, runRequest);
+  const RecipeOptions recipeOptions(call);
+  if (const auto status = read(call, arguments)) {
+    return *status;
+  }
+  if (const ExitStatus status = checkFiles(request); status != ExitStatus::Done) {
+    return status;
+  }
+  const auto injections = injectionsOf(runRequest.injections);
+  if (!injections) {
+    return injections.error();
+  }
+  auto settings = loadSettings(request.recipe, request.machine, recipeOptions);
+  if (!settings) {
+    return settings.error();
+  }
+  const auto bytes = load(request.pattern);
+  if (!bytes) {
+    return bytes.error();
+  }
+  HeadlessRun run;
+  run.folder = {runRequest.stateFolder.empty() ? defaultStateFolder() : runRequest.stateFolder};
+  run.patternFile = request.pattern.string();
+  run.patternHash = files::fileHash(*bytes);
+  run.axes = runRequest.axes;
+  run.isFast = runRequest.speed == "fast";
+  run.overrideFactor = runRequest.overridePercent / 100;
+  run.injections = *injections;
+  if (runRequest.resumes) {
+    const auto place = resumePlace(run.folder.resumePoint(), run.patternHash, *settings);
+    if (!place) {
+      return place.error();
+    }
+    run.from = *place;
+  }
+  watchForInterruption();
+  auto planned = planJobOf(request.pattern, *settings);
+  if (!planned) {
+    return planned.error();
+  }
+  if (!planned->job.canBeGround()) {
+    const ExitStatus status = writeOutputs(request, *planned);
+    return status == ExitStatus::Done ? ExitStatus::CannotBeGround : status;
+  }
+  const Executed executed = execute(run, std::make_shared<const job::Job>(planned->job));
+  if (executed.record.empty()) {
+    return executed.status;
+  }
+  const ExitStatus written = writeOutputs(request, *planned, executed.record);
+  return executed.status != ExitStatus::Done ? executed.status : written;
+}
+
+} // namespace arris::app

@@ -1,0 +1,170 @@
+#include "core/control/run_keeper.h"
+
+#include "core/files/alarm_log.h"
+#include "core/files/record_folder.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace arris::control {
+
+RunKeeper::RunKeeper(StateFolder folder, std::shared_ptr<const job::Job> job, std::string patternFile,
+                     std::string patternHash, std::function<std::string()> wallClock)
+    : m_folder(std::move(folder)), m_job(std::move(job)), m_patternFile(std::move(patternFile)),
+      m_patternHash(std::move(patternHash)), m_wallClock(std::move(wallClock)), m_resumePoint(m_folder.resumePoint()) {
+  std::error_code failure;
+  std::filesystem::create_directories(m_folder.records(), failure);
+  if (failure) {
+    m_problems.push_back(
+        base::Problem(base::Code::CannotWrite, {{"file", m_folder.records().string()}, {"reason", failure.message()}}));
+  }
+}
+
+RunKeeper::~RunKeeper() {
+  finish();
+}
+
+void RunKeeper::keep(const base::Expected<void>& result) {
+  if (!result) {
+    m_problems.push_back(result.error());
+  }
+}
+
+base::Problems RunKeeper::takeProblems() {
+  if (const auto failure = m_resumePoint.failure()) {
+    m_problems.push_back(*failure);
+  }
+  return std::exchange(m_problems, {});
+}
+
+void RunKeeper::add(const Report& report) {
+  if (report.runTick == 0) {
+    finish();
+    beginRun();
+  }
+  if (m_rows) {
+    m_rows->add(report);
+    if (report.runTick >= 0) {
+      note(report);
+    } else if (m_endTick < 0) {
+      m_endTick = m_last.tick;
+      const bool done = report.jobsEnded > m_last.jobsEnded || m_last.state == State::Idle;
+      if (done) {
+        event(m_last, "pane-done", {{"pane", std::int64_t{m_pane}}});
+        m_resumePoint.remove();
+      } else {
+        keepPlace(m_last, m_last.state == State::EmergencyStop ? files::Ended::EmergencyStop
+                          : m_last.faults.any()                ? files::Ended::Fault
+                                                               : files::Ended::Stopped);
+      }
+    }
+    if (m_endTick >= 0 && report.measuredTick >= m_endTick) {
+      finish();
+    }
+  }
+  m_last = report;
+}
+
+void RunKeeper::add(const FaultReport& fault) {
+  const FaultInfo& row = info(fault.fault);
+  std::vector<base::Value> values;
+  if (fault.axis >= 0) {
+    values.push_back({"axis", std::string("XYZ").substr(static_cast<std::size_t>(fault.axis), 1)});
+  }
+  if (row.text.find("{value}") != std::string_view::npos) {
+    values.push_back({"value", fault.value});
+  }
+  if (m_record) { // the two seconds around it in the record
+    const double time = static_cast<double>(std::max<std::int64_t>(0, m_last.runTick)) * m_job->machine.period;
+    values.push_back({"from_s", std::max(0.0, time - 1)});
+    values.push_back({"to_s", time + 1});
+    event(m_last, std::string(row.name), values);
+    values.push_back({"record", m_recordFile.filename().string()});
+  }
+  files::Alarm alarm;
+  alarm.time = m_wallClock();
+  alarm.code = row.name;
+  alarm.text = describe(fault);
+  alarm.values = std::move(values);
+  keep(files::appendAlarm(m_folder.alarmLog(), alarm));
+}
+
+void RunKeeper::beginRun() {
+  ++m_pane;
+  m_endTick = -1;
+  keep(files::dropOldRecords(m_folder.records()));
+  const std::string now = m_wallClock();
+  m_recordFile = files::newRecordFile(m_folder.records(), now);
+  files::RecordHeader header;
+  header.patternFile = std::filesystem::path(m_patternFile).filename().string();
+  header.patternHash = m_patternHash;
+  header.startTime = now;
+  header.pane = m_pane;
+  header.recipe = m_job->recipe;
+  header.machine = m_job->machine;
+  auto record = files::RecordWriter::open(m_recordFile, header);
+  if (!record) {
+    m_problems.push_back(record.error());
+    return;
+  }
+  m_record.emplace(std::move(*record));
+  m_rows.emplace(m_job, [this](const files::RunRow& row) {
+    if (m_record) {
+      if (const auto added = m_record->add(row); !added) {
+        m_problems.push_back(added.error());
+        m_record.reset();
+      }
+    }
+  });
+}
+
+void RunKeeper::finish() {
+  if (m_rows) {
+    m_rows->finish();
+  }
+  m_rows.reset();
+  if (m_record) {
+    keep(m_record->close());
+  }
+  m_record.reset();
+}
+
+void RunKeeper::event(const Report& report, std::string code, std::vector<base::Value> values) {
+  if (m_record) {
+    keep(m_record->add(files::RunEvent{static_cast<double>(report.runTick) * m_job->machine.period, std::move(code),
+                                       std::move(values)}));
+  }
+}
+
+// Changes that a person would want to read later.
+void RunKeeper::note(const Report& report) {
+  if (report.runTick == 0 || report.overrideFactor != m_last.overrideFactor) {
+    event(report, "override", {{"percent", 100 * report.overrideFactor}});
+  }
+  if (report.state != m_last.state && report.runTick > 0) {
+    event(report, std::string(name(report.state)));
+  }
+  const bool isDue = static_cast<double>(report.tick - m_lastKept) * m_job->machine.period >= kResumeEvery;
+  if (report.runTick == 0 || isDue || report.state != m_last.state) {
+    keepPlace(report, report.state == State::Held ? files::Ended::Held : files::Ended::Running);
+  }
+}
+
+void RunKeeper::keepPlace(const Report& report, files::Ended ended) {
+  m_lastKept = report.tick;
+  files::ResumePoint point;
+  point.patternFile = m_patternFile;
+  point.patternHash = m_patternHash;
+  point.recipe = m_job->recipe;
+  point.machine = m_job->machine;
+  point.place = report.place.segment >= 0 ? report.place : program::JobPlace{0, 0};
+  point.position = report.measured;
+  point.contour = report.contour;
+  point.time = static_cast<double>(std::max<std::int64_t>(0, report.runTick)) * m_job->machine.period;
+  point.pane = m_pane;
+  point.panes = m_pane;
+  point.ended = ended;
+  m_resumePoint.write(files::writeResumePoint(point));
+}
+
+} // namespace arris::control

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "core/control/latest_file.h"
+#include "core/control/run_rows.h"
+#include "core/files/resume_point.h"
+#include "core/files/run_record.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace arris::control {
+
+/// Where a machine keeps what its runs leave.
+struct StateFolder {
+  std::filesystem::path root;
+
+  [[nodiscard]] std::filesystem::path records() const {
+    return root / "records";
+  }
+
+  [[nodiscard]] std::filesystem::path resumePoint() const {
+    return root / "resume.json";
+  }
+
+  [[nodiscard]] std::filesystem::path alarmLog() const {
+    return root / "alarms.jsonl";
+  }
+};
+
+/// The resume point is written so often, s of the run.
+inline constexpr double kResumeEvery = 0.2;
+
+/// Keeps what the runs of one job leave: a record each, the point to resume from, the alarms. Hears of every report and
+/// fault on the operator's side.
+class RunKeeper {
+public:
+  /// `wallClock` gives the present time, ISO 8601. Folders that are absent are made.
+  RunKeeper(StateFolder folder, std::shared_ptr<const job::Job> job, std::string patternFile, std::string patternHash,
+            std::function<std::string()> wallClock);
+
+  /// Writes what waits; a run that still goes on stays resumable.
+  ~RunKeeper();
+  RunKeeper(const RunKeeper&) = delete;
+  RunKeeper& operator=(const RunKeeper&) = delete;
+
+  void add(const Report& report);
+  void add(const FaultReport& fault);
+
+  /// Everything of the run that has ended is in its record.
+  void finish();
+
+  /// The record of the present or the last run; empty before the first.
+  [[nodiscard]] const std::filesystem::path& record() const {
+    return m_recordFile;
+  }
+
+  /// What could not be written: each failure once.
+  [[nodiscard]] base::Problems takeProblems();
+
+private:
+  void beginRun();
+  void note(const Report& report);
+  void event(const Report& report, std::string code, std::vector<base::Value> values = {});
+  void keepPlace(const Report& report, files::Ended ended);
+  void keep(const base::Expected<void>& result);
+
+  StateFolder m_folder;
+  std::shared_ptr<const job::Job> m_job;
+  std::string m_patternFile;
+  std::string m_patternHash;
+  std::function<std::string()> m_wallClock;
+  LatestFile m_resumePoint;
+  std::filesystem::path m_recordFile;
+  std::optional<files::RecordWriter> m_record;
+  std::optional<RunRows> m_rows;
+  Report m_last;
+  std::int64_t m_lastKept = 0; ///< tick of the last resume point
+  std::int64_t m_endTick = -1; ///< of the last row of a run that has ended
+  int m_pane = 0;
+  base::Problems m_problems;
+};
+
+} // namespace arris::control

@@ -1,0 +1,117 @@
+#include "core/files/alarm_log.h"
+
+#include "core/files/descriptor.h"
+#include "core/files/json_members.h"
+#include "core/files/whole_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <map>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+namespace arris::files {
+namespace {
+
+using base::Code;
+using base::Expected;
+using base::Unexpected;
+using std::filesystem::path;
+
+std::string lineOf(const Alarm& alarm) {
+  Json object;
+  object["time"] = alarm.time;
+  object["code"] = alarm.code;
+  object["text"] = alarm.text;
+  object["values"] = valuesToJson(alarm.values);
+  object["acknowledged"] = alarm.acknowledged;
+  return oneLine(object) + "\n";
+}
+
+std::optional<Alarm> alarmFrom(std::string_view line) {
+  const auto object = parseJson(line, "");
+  if (!object) {
+    return std::nullopt;
+  }
+  base::Problems problems;
+  JsonMembers members(*object, problems);
+  Alarm alarm{members.text("time"), members.text("code"), members.text("text"),
+              valuesFromJson(members.object("values")), members.flag("acknowledged")};
+  return problems.empty() ? std::optional(std::move(alarm)) : std::nullopt;
+}
+
+// The younger half, from the beginning of a line on.
+Expected<void> dropOlderHalf(const path& log) {
+  return readFile(log).and_then([&](const std::string& text) {
+    const std::size_t lineEnd = text.find('\n', text.size() / 2);
+    return writeWholeFile(log, lineEnd == std::string::npos ? std::string_view()
+                                                            : std::string_view(text).substr(lineEnd + 1));
+  });
+}
+
+// A line that a power failure left half must not take the next one with it.
+bool endsInALine(int descriptor, off_t size) {
+  char last = '\n';
+  return size == 0 || (pread(descriptor, &last, 1, size - 1) == 1 && last == '\n');
+}
+
+} // namespace
+
+Expected<void> appendAlarm(const path& log, const Alarm& alarm, std::size_t largest) {
+  const WriteSignalsBlocked blocked;
+  std::string line = lineOf(alarm);
+  std::error_code none;
+  if (const auto size = std::filesystem::file_size(log, none); !none && size + line.size() >= largest) {
+    if (auto dropped = dropOlderHalf(log); !dropped) {
+      return dropped;
+    }
+  }
+  constexpr mode_t kAsTheUserMaskAllows = 0666;
+  Descriptor descriptor(open(log.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, kAsTheUserMaskAllows));
+  if (!descriptor.isOpen()) {
+    return Unexpected(systemProblem(Code::CannotWrite, log, errno));
+  }
+  if (!endsInALine(descriptor.number(), lseek(descriptor.number(), 0, SEEK_END))) {
+    line.insert(line.begin(), '\n');
+  }
+  Output output(descriptor.number());
+  output.write(line);
+  if (output.failed()) {
+    return Unexpected(systemProblem(Code::CannotWrite, log, output.error()));
+  }
+  if (fsync(descriptor.number()) != 0 || !descriptor.close()) {
+    return Unexpected(systemProblem(Code::CannotWrite, log, errno));
+  }
+  return {};
+}
+
+Expected<std::vector<Alarm>> readAlarms(const path& log) {
+  std::error_code none;
+  if (!std::filesystem::exists(log, none)) {
+    return std::vector<Alarm>();
+  }
+  const auto text = readFile(log);
+  if (!text) {
+    return Unexpected(text.error());
+  }
+  std::vector<Alarm> alarms;
+  std::map<std::pair<std::string, std::string>, std::size_t> places;
+  for (std::string_view rest = *text; !rest.empty();) {
+    const std::size_t end = rest.find('\n');
+    if (auto alarm = alarmFrom(rest.substr(0, end))) {
+      const auto [place, isNew] = places.try_emplace({alarm->time, alarm->code}, alarms.size());
+      if (isNew) {
+        alarms.push_back(*std::move(alarm));
+      } else {
+        alarms[place->second] = *std::move(alarm);
+      }
+    }
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+  }
+  return alarms;
+}
+
+} // namespace arris::files

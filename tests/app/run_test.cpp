@@ -1,0 +1,117 @@
+#include "tests/app/process.h"
+#include "tests/support/scratch.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
+namespace arris::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> fastRun(const Scratch& scratch, std::initializer_list<std::string> more = {}) {
+  std::vector<std::string> arguments{
+      "run",         sample("triangle.dxf"),       "--speed",   "fast",
+      "--state-dir", (scratch / "state").string(), "--profile", (scratch / "a.csv").string()};
+  arguments.insert(arguments.end(), more);
+  return arguments;
+}
+
+std::size_t linesIn(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+std::size_t recordsIn(const Scratch& scratch) {
+  const fs::path folder = scratch / "state/records";
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(Run, OfAJobIsThePlanRowByRowAndLeavesARecord) {
+  const Scratch scratch;
+  const Outcome run = arris(fastRun(scratch));
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, IsEmpty());
+  EXPECT_THAT(run.out, HasSubstr("Ground in"));
+  ASSERT_EQ(arris({"plan", sample("triangle.dxf"), "--profile", (scratch / "p.csv").string()}).status, 0);
+  const std::string actual = contentOf((scratch / "a.csv").string());
+  EXPECT_EQ(linesIn(actual), linesIn(contentOf((scratch / "p.csv").string())));
+  EXPECT_THAT(actual, StartsWith("t_s,x_mm,y_mm,z_mm,"));
+  EXPECT_THAT(actual, HasSubstr(",x_cmd_mm,y_cmd_mm,z_cmd_mm,vx_meas_mm_s"));
+  EXPECT_EQ(recordsIn(scratch), 1U);
+  EXPECT_FALSE(fs::exists(scratch / "state/resume.json")); // nothing is left to resume
+  EXPECT_EQ(
+      arris({"plot", (scratch / "p.csv").string(), (scratch / "a.csv").string(), "-o", (scratch / "both.svg").string()})
+          .status,
+      0);
+}
+
+TEST(Run, WithAFaultEndsWithThreeAndIsResumed) {
+  const Scratch scratch;
+  const Outcome broken = arris(fastRun(scratch, {"--inject", "spindle-loss@60"}));
+  EXPECT_EQ(broken.status, 3);
+  EXPECT_THAT(broken.err, AllOf(HasSubstr("[spindle-loss]"), HasSubstr("remedy:")));
+  const std::size_t rows = linesIn(contentOf((scratch / "a.csv").string()));
+  EXPECT_GT(rows, 60000U); // what was executed until then
+  EXPECT_LT(rows, 75000U);
+  EXPECT_THAT(contentOf((scratch / "state/resume.json").string()), HasSubstr("\"fault\""));
+  EXPECT_THAT(contentOf((scratch / "state/alarms.jsonl").string()), HasSubstr("spindle-loss"));
+
+  const Outcome resumed = arris(fastRun(scratch, {"--resume"}));
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_FALSE(fs::exists(scratch / "state/resume.json"));
+  EXPECT_EQ(recordsIn(scratch), 2U);
+}
+
+TEST(Run, ResumesOnlyThePatternThatWasBrokenOff) {
+  const Scratch scratch;
+  EXPECT_EQ(arris(fastRun(scratch, {"--inject", "emergency-stop@50"})).status, 3);
+  const Outcome other =
+      arris({"run", sample("arcs.dxf"), "--speed", "fast", "--resume", "--state-dir", (scratch / "state").string()});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_THAT(other.err, HasSubstr("another pattern"));
+}
+
+TEST(Run, WithoutAJobThatWasBrokenOffHasNothingToResume) {
+  const Scratch scratch;
+  const Outcome outcome = arris(fastRun(scratch, {"--resume"}));
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("no job to resume"));
+}
+
+TEST(Run, RefusesWrongValuesByName) {
+  const Scratch scratch;
+  for (const auto& [option, value] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"--override", "9"},
+           {"--override", "151"},
+           {"--override", "fast"},
+           {"--speed", "slow"},
+           {"--axes", "mine"},
+           {"--inject", "coolant-loss"},
+           {"--inject", "coolant-loss@"},
+           {"--inject", "coolant-loss@-1"},
+           {"--inject", "coolant-loss@nan"},
+           {"--inject", "flood@3"},
+       }) {
+    const Outcome outcome = arris(fastRun(scratch, {option, value}));
+    EXPECT_EQ(outcome.status, 2) << option << " " << value;
+    EXPECT_THAT(outcome.err, HasSubstr(option)) << value;
+  }
+}
+
+TEST(Run, OfAJobThatCannotBeGroundDoesNotBegin) {
+  const Scratch scratch;
+  const Outcome outcome = arris(fastRun(scratch, {"--wheel-radius", "500", "--place", "0,0"}));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_FALSE(fs::exists(scratch / "a.csv"));
+}
+
+} // namespace
+} // namespace arris::test
