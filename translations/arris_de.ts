@@ -452,6 +452,10 @@
         <translation>Interner Fehler: {reason}.</translation>
     </message>
     <message>
+        <source>Axes through LinuxCNC are not available: {reason}.</source>
+        <translation>Achsen über LinuxCNC sind nicht verfügbar: {reason}.</translation>
+    </message>
+    <message>
         <source>Error</source>
         <translation>Fehler</translation>
     </message>
@@ -797,6 +801,58 @@
     <message>
         <source>grinding</source>
         <translation>Schleifhöhe</translation>
+    </message>
+    <message>
+        <source>this Arris was built without them; install linuxcnc-uspace-dev and build it again</source>
+        <translation>Dieses Arris wurde ohne sie gebaut; linuxcnc-uspace-dev installieren und neu bauen</translation>
+    </message>
+    <message>
+        <source>install linuxcnc-uspace; {}</source>
+        <translation>linuxcnc-uspace installieren; {}</translation>
+    </message>
+    <message>
+        <source>the module is of another version of Arris</source>
+        <translation>Das Modul gehört zu einer anderen Version von Arris</translation>
+    </message>
+    <message>
+        <source>another Arris drives them already</source>
+        <translation>Ein anderes Arris steuert sie bereits</translation>
+    </message>
+    <message>
+        <source>this user may not reach the HAL session</source>
+        <translation>Dieser Benutzer hat keinen Zugriff auf die HAL-Sitzung</translation>
+    </message>
+    <message>
+        <source>HAL has no memory left</source>
+        <translation>HAL hat keinen Speicher mehr</translation>
+    </message>
+    <message>
+        <source>no HAL session for Arris runs; start one with packaging/hal/start.sh</source>
+        <translation>Es läuft keine HAL-Sitzung für Arris; mit packaging/hal/start.sh starten</translation>
+    </message>
+    <message>
+        <source>the HAL session has no signal {} that fits; compare its file with packaging/hal</source>
+        <translation>Die HAL-Sitzung hat kein passendes Signal {}; ihre Datei mit packaging/hal vergleichen</translation>
+    </message>
+    <message>
+        <source>the HAL session lacks streamer cfg=ffff or sampler cfg=fffff; compare its file with packaging/hal</source>
+        <translation>Der HAL-Sitzung fehlt streamer cfg=ffff oder sampler cfg=fffff; ihre Datei mit packaging/hal vergleichen</translation>
+    </message>
+    <message>
+        <source>an Arris that died has left the HAL session unfinished; start it again with packaging/hal/start.sh</source>
+        <translation>Ein abgestürztes Arris hat die HAL-Sitzung unfertig hinterlassen; mit packaging/hal/start.sh neu starten</translation>
+    </message>
+    <message>
+        <source>the threads of the HAL session do not run</source>
+        <translation>Die Threads der HAL-Sitzung laufen nicht</translation>
+    </message>
+    <message>
+        <source>the HAL session&apos;s streamer is not emptied, or somebody else fills it</source>
+        <translation>Der streamer der HAL-Sitzung wird nicht geleert, oder jemand anderes füllt ihn</translation>
+    </message>
+    <message>
+        <source>the HAL session&apos;s period is {} s, the machine&apos;s {} s</source>
+        <translation>Der Takt der HAL-Sitzung ist {} s, der der Maschine {} s</translation>
     </message>
     <message>
         <source>knots</source>

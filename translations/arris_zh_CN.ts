@@ -452,6 +452,10 @@
         <translation>内部错误：{reason}。</translation>
     </message>
     <message>
+        <source>Axes through LinuxCNC are not available: {reason}.</source>
+        <translation>LinuxCNC 轴不可用：{reason}。</translation>
+    </message>
+    <message>
         <source>Error</source>
         <translation>错误</translation>
     </message>
@@ -797,6 +801,58 @@
     <message>
         <source>grinding</source>
         <translation>磨削高度</translation>
+    </message>
+    <message>
+        <source>this Arris was built without them; install linuxcnc-uspace-dev and build it again</source>
+        <translation>本 Arris 构建时未包含该功能；请安装 linuxcnc-uspace-dev 后重新构建</translation>
+    </message>
+    <message>
+        <source>install linuxcnc-uspace; {}</source>
+        <translation>请安装 linuxcnc-uspace；{}</translation>
+    </message>
+    <message>
+        <source>the module is of another version of Arris</source>
+        <translation>该模块属于另一版本的 Arris</translation>
+    </message>
+    <message>
+        <source>another Arris drives them already</source>
+        <translation>另一个 Arris 已在控制这些轴</translation>
+    </message>
+    <message>
+        <source>this user may not reach the HAL session</source>
+        <translation>当前用户无权访问 HAL 会话</translation>
+    </message>
+    <message>
+        <source>HAL has no memory left</source>
+        <translation>HAL 内存不足</translation>
+    </message>
+    <message>
+        <source>no HAL session for Arris runs; start one with packaging/hal/start.sh</source>
+        <translation>没有为 Arris 运行的 HAL 会话；请用 packaging/hal/start.sh 启动</translation>
+    </message>
+    <message>
+        <source>the HAL session has no signal {} that fits; compare its file with packaging/hal</source>
+        <translation>HAL 会话没有匹配的信号 {}；请将其文件与 packaging/hal 中的文件对照</translation>
+    </message>
+    <message>
+        <source>the HAL session lacks streamer cfg=ffff or sampler cfg=fffff; compare its file with packaging/hal</source>
+        <translation>HAL 会话缺少 streamer cfg=ffff 或 sampler cfg=fffff；请将其文件与 packaging/hal 中的文件对照</translation>
+    </message>
+    <message>
+        <source>an Arris that died has left the HAL session unfinished; start it again with packaging/hal/start.sh</source>
+        <translation>异常终止的 Arris 留下了未完成的 HAL 会话；请用 packaging/hal/start.sh 重新启动</translation>
+    </message>
+    <message>
+        <source>the threads of the HAL session do not run</source>
+        <translation>HAL 会话的线程未运行</translation>
+    </message>
+    <message>
+        <source>the HAL session&apos;s streamer is not emptied, or somebody else fills it</source>
+        <translation>HAL 会话的 streamer 未被清空，或有其他程序在写入</translation>
+    </message>
+    <message>
+        <source>the HAL session&apos;s period is {} s, the machine&apos;s {} s</source>
+        <translation>HAL 会话的周期为 {} s，机床的周期为 {} s</translation>
     </message>
     <message>
         <source>knots</source>

@@ -97,6 +97,8 @@ enum class Code {
   // Speed
   MachineSpeedBinds,
   NumericalFailure,
+  // The machine
+  DriverNotAvailable,
 };
 
 /// A named figure or word of a problem; the unit stands at the end of the name (`gap_mm`).

@@ -137,6 +137,8 @@ const std::vector<CodeInfo>& allCodes() {
       {MachineSpeedBinds, "machine-speed-binds", Note,
        "The machine's greatest speed of the {axis} axis is below the feed; it limits the speed on the contour."},
       {NumericalFailure, "numerical-failure", Error, "Internal error: {reason}."},
+
+      {DriverNotAvailable, "driver-not-available", Error, "Axes through LinuxCNC are not available: {reason}."},
   };
   return kTable;
 }

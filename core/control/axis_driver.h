@@ -31,7 +31,7 @@ struct Outputs {
   std::array<bool, kAxes> driveEnable{};
   double spindleSpeed = 0; ///< r/min; 0 off
   bool coolant = false;
-  bool heartbeat = false; ///< changes with every period while all is well
+  bool heartbeat = false; ///< changes with every period: the controller lives
   bool operator==(const Outputs&) const = default;
 };
 

@@ -162,6 +162,7 @@ const std::vector<const char*>& problemTemplates() {
           "Problem",
           "The machine's greatest speed of the {axis} axis is below the feed; it limits the speed on the contour."),
       QT_TRANSLATE_NOOP("Problem", "Internal error: {reason}."),
+      QT_TRANSLATE_NOOP("Problem", "Axes through LinuxCNC are not available: {reason}."),
   };
   return kTemplates;
 }
@@ -252,6 +253,25 @@ const std::vector<const char*>& problemWords() {
       QT_TRANSLATE_NOOP("ProblemWord", "the way along the contour"),
       QT_TRANSLATE_NOOP("ProblemWord", "clearance"),
       QT_TRANSLATE_NOOP("ProblemWord", "grinding"),
+      QT_TRANSLATE_NOOP("ProblemWord",
+                        "this Arris was built without them; install linuxcnc-uspace-dev and build it again"),
+      QT_TRANSLATE_NOOP("ProblemWord", "install linuxcnc-uspace; {}"),
+      QT_TRANSLATE_NOOP("ProblemWord", "the module is of another version of Arris"),
+      QT_TRANSLATE_NOOP("ProblemWord", "another Arris drives them already"),
+      QT_TRANSLATE_NOOP("ProblemWord", "this user may not reach the HAL session"),
+      QT_TRANSLATE_NOOP("ProblemWord", "HAL has no memory left"),
+      QT_TRANSLATE_NOOP("ProblemWord", "no HAL session for Arris runs; start one with packaging/hal/start.sh"),
+      QT_TRANSLATE_NOOP("ProblemWord",
+                        "the HAL session has no signal {} that fits; compare its file with packaging/hal"),
+      QT_TRANSLATE_NOOP(
+          "ProblemWord",
+          "the HAL session lacks streamer cfg=ffff or sampler cfg=fffff; compare its file with packaging/hal"),
+      QT_TRANSLATE_NOOP(
+          "ProblemWord",
+          "an Arris that died has left the HAL session unfinished; start it again with packaging/hal/start.sh"),
+      QT_TRANSLATE_NOOP("ProblemWord", "the threads of the HAL session do not run"),
+      QT_TRANSLATE_NOOP("ProblemWord", "the HAL session's streamer is not emptied, or somebody else fills it"),
+      QT_TRANSLATE_NOOP("ProblemWord", "the HAL session's period is {} s, the machine's {} s"),
   };
   return kWords;
 }
