@@ -4,6 +4,7 @@
 #include "app/messages.h"
 #include "app/progress.h"
 #include "core/control/control_thread.h"
+#include "core/control/driver_module.h"
 #include "core/control/supervisor.h"
 
 #include <fmt/format.h>
@@ -34,19 +35,26 @@ std::string wallClock() {
   return text;
 }
 
+base::Expected<std::unique_ptr<control::AxisDriver>> axesOf(const HeadlessRun& run, const recipe::Machine& machine) {
+  if (run.axes == "linuxcnc") {
+    return control::linuxcncAxes(machine, run.moduleFolders);
+  }
+  const control::Pace pace = run.isFast ? control::Pace::Simulated : control::Pace::Real;
+  return std::make_unique<control::SimulatedAxes>(machine, pace, machine.travel / 2); // as it was left, somewhere
+}
+
 /// The machine with its operator's side, in real or simulated time.
 class Machine {
 public:
-  Machine(const HeadlessRun& run, const std::shared_ptr<const job::Job>& job)
+  Machine(const HeadlessRun& run, const std::shared_ptr<const job::Job>& job, std::unique_ptr<control::AxisDriver> axes)
       : m_run(run), m_job(job), m_keeper(run.folder, job, run.patternFile, run.patternHash, wallClock),
-        m_axes(job->machine, run.isFast ? control::Pace::Simulated : control::Pace::Real,
-               job->machine.travel / 2), // as it was left, somewhere
+        m_axes(std::move(axes)), m_simulated(dynamic_cast<control::SimulatedAxes*>(m_axes.get())),
         m_controller(job->machine, m_channels),
         m_supervisor(job->machine, m_channels,
                      {[this](const control::Report& report) { hear(report); },
                       [this](const control::FaultReport& fault) { hear(fault); }}) {
     if (!run.isFast) {
-      m_thread.emplace(m_controller, m_axes, job->machine.period);
+      m_thread.emplace(m_controller, *m_axes, job->machine.period);
     }
   }
 
@@ -153,8 +161,8 @@ private:
     } else {
       const int periods = std::max(1, static_cast<int>(kServeEvery / m_job->machine.period));
       for (int i = 0; i < periods; ++i) {
-        const control::Cycle& cycle = m_controller.advance(m_axes.read());
-        m_axes.write(cycle.setPoint, cycle.outputs);
+        const control::Cycle& cycle = m_controller.advance(m_axes->read());
+        m_axes->write(cycle.setPoint, cycle.outputs);
         inject(m_controller.report());
       }
     }
@@ -181,7 +189,7 @@ private:
       const bool isDue = report.runTick >= 0 && static_cast<double>(report.runTick) * m_job->machine.period >= seconds;
       if (isDue && (m_injected & (std::uint64_t{1} << i)) == 0) {
         m_injected |= std::uint64_t{1} << i;
-        m_axes.inject(m_run.injections[i].fault);
+        m_simulated->inject(m_run.injections[i].fault);
       }
     }
   }
@@ -218,7 +226,8 @@ private:
   double m_length = lengthOf(*m_job);
   control::RunKeeper m_keeper;
   control::Channels m_channels;
-  control::SimulatedAxes m_axes;
+  std::unique_ptr<control::AxisDriver> m_axes;
+  control::SimulatedAxes* m_simulated; ///< where they are these; faults are injected into no others
   control::Controller m_controller;
   control::Supervisor m_supervisor;
   std::optional<control::ControlThread> m_thread; ///< in real time
@@ -230,7 +239,11 @@ private:
 } // namespace
 
 Executed execute(const HeadlessRun& run, const std::shared_ptr<const job::Job>& job) {
-  const auto machine = std::make_unique<Machine>(run, job);
+  auto axes = axesOf(run, job->machine);
+  if (!axes) {
+    return {tellAndJudge({axes.error()}), {}};
+  }
+  const auto machine = std::make_unique<Machine>(run, job, *std::move(axes));
   return machine->execute();
 }
 

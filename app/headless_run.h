@@ -22,7 +22,8 @@ struct HeadlessRun {
   control::StateFolder folder;
   std::string patternFile;
   std::string patternHash;
-  std::string axes; ///< "simulated", "linuxcnc"
+  std::string axes;                                 ///< "simulated", "linuxcnc"
+  std::vector<std::filesystem::path> moduleFolders; ///< where the module of LinuxCNC's axes may be
   bool isFast = false;
   double overrideFactor = 1;
   std::vector<Injection> injections;

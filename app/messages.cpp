@@ -21,6 +21,7 @@ ExitStatus statusFor(const base::Problem& problem) {
   case base::Code::CannotOpen:
   case base::Code::CannotRead:
   case base::Code::CannotWrite:
+  case base::Code::DriverNotAvailable:
     return ExitStatus::SystemFailure;
   case base::Code::NumericalFailure:
     return ExitStatus::InternalError;

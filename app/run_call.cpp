@@ -136,11 +136,17 @@ ExitStatus runJob(const Arguments& arguments) {
   if (!bytes) {
     return bytes.error();
   }
+  if (runRequest.axes == "linuxcnc" && (runRequest.speed == "fast" || !injections->empty())) {
+    complain("--speed fast and --inject are for simulated axes (see: arris help run)");
+    return ExitStatus::WrongUsage;
+  }
   HeadlessRun run;
   run.folder = {runRequest.stateFolder.empty() ? defaultStateFolder() : runRequest.stateFolder};
   run.patternFile = request.pattern.string();
   run.patternHash = files::fileHash(*bytes);
   run.axes = runRequest.axes;
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
+  run.moduleFolders = {program, program / "../lib/arris"};
   run.isFast = runRequest.speed == "fast";
   run.overrideFactor = runRequest.overridePercent / 100;
   run.injections = *injections;

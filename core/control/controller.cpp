@@ -349,7 +349,9 @@ void Controller::tell() {
   m_cycle.outputs.driveEnable.fill(m_drivesOn);
   m_cycle.outputs.spindleSpeed = m_spindle;
   m_cycle.outputs.coolant = m_coolant;
-  if (!m_faults.has(Fault::SetPointInconsistent)) { // else Arris itself is not well: the watchdog shall act
+  // In other faults too: where it stands still the drives lose their power, and the axes could not be braked on their
+  // path. But where Arris itself is not well the watchdog shall act.
+  if (!m_faults.has(Fault::SetPointInconsistent)) {
     m_cycle.outputs.heartbeat = !m_cycle.outputs.heartbeat;
   }
   m_report.tick = m_tick;
