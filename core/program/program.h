@@ -18,7 +18,8 @@ struct Program {
   std::vector<motion::Interval> intervals;
   std::vector<JobStretch> places; ///< by segment of the track
   motion::AxisLimits limits;
-  std::vector<job::CornerResult> corners{}; ///< what the profile makes of the job's corners, index = corner − 1; or none
+  std::vector<job::CornerResult>
+      corners{}; ///< what the profile makes of the job's corners, index = corner − 1; or none
 };
 
 /// The whole job. Its track and limits are the job's own, bit for bit.
