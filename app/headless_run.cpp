@@ -26,6 +26,9 @@ constexpr double kServeEvery = 0.01;
 /// Longer than any axis needs to find its switch, s.
 constexpr double kHomingPatience = 3600;
 
+/// The controller takes a program within this, s.
+constexpr double kLaunchWait = 5;
+
 std::string wallClock() {
   const std::time_t now = std::time(nullptr);
   std::tm local{};
@@ -106,11 +109,15 @@ private:
     using control::JobState;
     const auto isOver = [this] {
       const JobState state = m_supervisor.jobState();
-      return state == JobState::Ended || state == JobState::Aborted || isFaulted();
+      m_began = m_began || latest().program != 0;
+      const bool isForgotten = latest().state == State::Idle && latest().program == 0 && m_began;
+      return state == JobState::Ended || state == JobState::Aborted || isForgotten || isFaulted();
     };
     bool stops = false;
-    while (!isOver()) {
+    double waits = 0;
+    while (!isOver() && (m_began || waits < kLaunchWait)) {
       pass();
+      waits += kServeEvery;
       if (interrupted() && !stops) {
         stops = true;
         m_supervisor.stop();
@@ -124,10 +131,13 @@ private:
       pass();
     }
     m_progress.show("");
-    return isFaulted() ? ExitStatus::MachineFaulted : stops ? ExitStatus::Interrupted : ExitStatus::Done;
+    if (isFaulted()) {
+      return ExitStatus::MachineFaulted;
+    }
+    return m_supervisor.jobState() == JobState::Ended ? ExitStatus::Done : ExitStatus::Interrupted;
   }
 
-  ExitStatus broken() const {
+  [[nodiscard]] ExitStatus broken() const {
     if (isFaulted()) {
       return ExitStatus::MachineFaulted;
     }
@@ -234,6 +244,7 @@ private:
   Progress m_progress;
   std::uint64_t m_injected = 0;
   double m_time = 0; ///< of the run, s
+  bool m_began = false;
 };
 
 } // namespace

@@ -31,8 +31,8 @@ struct PlannedJob {
   job::Job job;
 };
 
-/// Reads and plans; problems are told.
-[[nodiscard]] OrStatus<PlannedJob> planJobOf(const std::filesystem::path& pattern, const Settings& settings);
+/// Reads a pattern and plans it; problems are told.
+[[nodiscard]] OrStatus<PlannedJob> planJobOf(const std::filesystem::path& file, const Settings& settings);
 
 /// Every output that the job allows; a failure of one does not hold up the others. Where there is the `record` of a
 /// run, profile and plot show what was executed.

@@ -18,6 +18,7 @@ struct ProgramHeader {
   double spindleSpeed = 0;    ///< r/min; 0: the program needs no spindle
   bool beginsRun = false;     ///< time of the run begins at 0 with its first motion
   program::JobPlace place;    ///< on the job's way where it takes it up
+  std::int64_t stops = 0;     ///< Report::stops when it was ordered: a stop in between beats it
 };
 
 /// What the operator's side asks of the controller. Values only; refused where the table of states does not allow it.

@@ -20,6 +20,9 @@ constexpr int kKnown = 4;
 /// Above all that is not for the machine.
 constexpr int kPriority = 80;
 
+/// Axes that take no set-point for so long have stopped, s.
+constexpr double kStalled = 0.2;
+
 constexpr long kSecond = 1'000'000'000; // ns
 
 // Once, before the loop.
@@ -80,6 +83,7 @@ void ControlThread::run() {
   timespec next{};
   clock_gettime(CLOCK_MONOTONIC, &next);
   bool isFirst = true;
+  double sinceTaken = 0;
   while (!m_ends) {
     const int left = m_driver.queued();
     if (!isFirst) {
@@ -87,6 +91,11 @@ void ControlThread::run() {
     }
     isFirst = false;
     supply();
+    sinceTaken = left < m_controller.leadPeriods() ? 0 : sinceTaken + m_period;
+    if (sinceTaken > kStalled) { // the axes take nothing: the controller has to see it all the same
+      const Cycle& cycle = m_controller.advance(m_driver.read());
+      static_cast<void>(m_driver.write(cycle.setPoint, cycle.outputs));
+    }
     next = later(next, m_period);
     while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &next, nullptr) == EINTR) {
     }

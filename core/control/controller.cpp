@@ -101,6 +101,9 @@ void Controller::handle(const Command& command) {
       using program::Kind;
       const Kind kind = c.m_program.kind;
       c.handle(kind == Kind::Job ? Event::Start : kind == Kind::Step ? Event::Step : Event::Position);
+      if (c.m_state == State::Idle) { // refused: it would be in the way of the next
+        c.forgetProgram();
+      }
     }
 
     void operator()(command::Hold) const {
@@ -165,6 +168,7 @@ void Controller::handle(const Command& command) {
 bool Controller::mayFollow(Event event) const {
   using program::Kind;
   const bool isReady = drivesReady() && m_homed && m_program.number != 0;
+  const bool isHeldBack = m_feedback.inputs.stop || m_feedback.inputs.hold; // stop beats start
   switch (event) {
   case Event::Enable:
     return !m_feedback.inputs.emergencyStop && !m_faults.any();
@@ -172,13 +176,14 @@ bool Controller::mayFollow(Event event) const {
   case Event::Jog:
     return drivesReady();
   case Event::Start:
-    return isReady && m_program.kind == Kind::Job && !m_path && m_aside != Aside::BackingOff;
+    return isReady && !isHeldBack && m_program.kind == Kind::Job && !m_path && m_aside != Aside::BackingOff;
   case Event::Step:
-    return isReady && m_program.kind == Kind::Step && !m_path && m_aside != Aside::BackingOff;
+    return isReady && !isHeldBack && m_program.kind == Kind::Step && !m_path && m_aside != Aside::BackingOff;
   case Event::Position:
-    return isReady && m_program.kind == Kind::Positioning && !m_path;
+    return isReady && !isHeldBack && m_program.kind == Kind::Positioning && !m_path;
   case Event::Resume: // beside the path only a new program leads back to it
-    return isReady && m_program.kind != Kind::Step && m_aside == Aside::OnPath && !(m_path && m_path->atEnd());
+    return isReady && !isHeldBack && m_program.kind != Kind::Step && m_aside == Aside::OnPath &&
+           !(m_path && m_path->atEnd());
   case Event::Acknowledge:
     return !m_feedback.inputs.emergencyStop;
   default:
@@ -202,6 +207,7 @@ State Controller::choose(Event event, State state) const {
 }
 
 void Controller::handle(Event event) {
+  m_report.stops += event == Event::Stop ? 1 : 0;
   const std::optional<State> state = next(m_state, event);
   if (!state || !mayFollow(event)) {
     ++m_report.refused;
@@ -212,7 +218,7 @@ void Controller::handle(Event event) {
     return;
   }
   if (event == Event::Stop) { // once more while the wheel is being raised: no raising
-    m_raise = m_state != State::Stopping;
+    m_raise = m_state != State::Stopping || (m_raise && !m_short);
   }
   if (event == Event::Acknowledge) {
     m_faults.clear();
@@ -230,6 +236,7 @@ void Controller::enter(State state) {
   case State::Off:
   case State::EmergencyStop:
     m_drivesOn = false;
+    m_cutDrives = false;
     break;
   case State::Idle:
   case State::NotHomed:
@@ -273,6 +280,7 @@ void Controller::enter(State state) {
                       ((state == State::Idle || state == State::NotHomed) && isMoving(from) && from != State::Jogging);
   if (isOver) {
     forgetProgram();
+    m_rampsMove = false;
     m_spindle = 0;
     m_coolant = false;
   }
@@ -281,7 +289,7 @@ void Controller::enter(State state) {
 
 void Controller::load(const ProgramHeader& header) {
   const bool allowed = m_state == State::Idle || (m_state == State::Held && m_aside != Aside::BackingOff);
-  if (!allowed || header.number == 0) {
+  if (!allowed || header.number == 0 || header.stops != m_report.stops) {
     ++m_report.refused;
     return;
   }
@@ -330,7 +338,7 @@ void Controller::jog(const Eigen::Vector3d& velocity) {
 }
 
 void Controller::jogBy(const Eigen::Vector3d& way) {
-  if (!way.allFinite() || m_state == State::Jogging) {
+  if (!way.allFinite() || m_state == State::Jogging || (way.cwiseAbs() - m_machine.travel).maxCoeff() > 0) {
     ++m_report.refused;
     return;
   }

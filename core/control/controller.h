@@ -108,8 +108,9 @@ private:
   Eigen::Vector3d m_velocity{0, 0, 0};    ///< of the last set-point by difference, mm/s, for the guard
   int m_guarded = 0;                      ///< set-points since the last break
   Eigen::Vector3d m_most{0, 0, 0};        ///< accelerations of what moves, mm/s²
-  std::int64_t m_freshTick = 0;           ///< when the feedback's tick last changed
-  std::int64_t m_readyTick = 0;           ///< when the drives became ready
+  std::int64_t m_underruns = 0;
+  std::int64_t m_freshTick = 0; ///< when the feedback's tick last changed
+  std::int64_t m_readyTick = 0; ///< when the drives became ready
   std::int64_t m_enabledTick = 0;
   bool m_wereReady = false;
 

@@ -31,6 +31,9 @@ void Controller::move() {
   m_report.isInMotion = false;
   if (!drivesReady()) {
     followAxes();
+    if (m_state == State::Stopping) { // without drives there is nothing to brake
+      handle(Event::AtRest);
+    }
     return;
   }
   switch (m_state) {
@@ -105,6 +108,8 @@ void Controller::beginPath() {
   m_path.emplace(view, m_program.limits);
   m_pathTick = 0;
   m_pathSegment = 0;
+  m_report.segment = 0;
+  m_report.lambda = 0;
   m_travelled = m_report.path;
 }
 
@@ -251,14 +256,16 @@ void Controller::backOff() {
   const Segment& on = segmentUnder();
   m_aside = Aside::BackingOff;
   m_report.beside = std::min(m_machine.backOff, m_window.room(m_report.segment));
-  if (m_report.beside < kLeastRoom) {
+  const geometry::Vector tangent = motion::evaluate(on, m_report.lambda).first.head<2>();
+  const geometry::Vector away = m_program.wheelSide * geometry::leftOf(tangent.normalized());
+  const geometry::Point from = m_report.commanded.head<2>();
+  const geometry::Point inMachine = from + m_report.beside * away + m_origin.head<2>();
+  const bool leavesTravel = inMachine.minCoeff() < 0 || (inMachine - m_machine.travel.head<2>()).maxCoeff() > 0;
+  if (m_report.beside < kLeastRoom || leavesTravel) {
     m_report.beside = 0;
     raiseWheel();
     return;
   }
-  const geometry::Vector tangent = motion::evaluate(on, m_report.lambda).first.head<2>();
-  const geometry::Vector away = m_program.wheelSide * geometry::leftOf(tangent.normalized());
-  const geometry::Point from = m_report.commanded.head<2>();
   Segment way;
   way.shape = geometry::Line{from, from + m_report.beside * away};
   way.z = m_report.commanded.z();
@@ -343,17 +350,21 @@ void Controller::moveJogging() {
   const bool isStopping = m_state != State::Jogging;
   const bool isLeft = static_cast<double>(m_tick - m_jogTick) * m_period > kJogConfirm;
   bool atRest = true;
+  const double fastest = (m_homed ? m_machine.jogSpeed : std::min(m_machine.jogSpeed, m_machine.homeSearch)) / 60;
   Eigen::Vector3d encoder;
   for (int axis = 0; axis < kAxes; ++axis) {
     AxisRamp& ramp = m_ramps[static_cast<std::size_t>(axis)];
     const double before = ramp.velocity();
     const double least = m_homed ? -m_offset[axis] : -std::numeric_limits<double>::infinity();
     const double most = m_homed ? m_machine.travel[axis] - m_offset[axis] : std::numeric_limits<double>::infinity();
+    const auto i = static_cast<std::size_t>(axis);
+    const double back = m_feedback.inputs.limitHigh[i] ? 0 : fastest; // off a limit switch only
+    const double forth = m_feedback.inputs.limitLow[i] ? 0 : fastest;
     if (m_jogsToTarget && !isStopping) {
-      ramp.to(m_jogTarget[axis], m_machine.jogSpeed / 60);
+      ramp.to(m_jogTarget[axis], fastest);
       atRest = atRest && ramp.position() == m_jogTarget[axis];
     } else {
-      ramp.towards(isStopping || isLeft ? 0 : m_jogVelocity[axis], least, most);
+      ramp.towards(isStopping || isLeft ? 0 : std::clamp(m_jogVelocity[axis], -forth, back), least, most);
       atRest = atRest && (isStopping || isLeft || m_jogVelocity.isZero());
     }
     atRest = atRest && ramp.velocity() == 0;

@@ -45,12 +45,15 @@ void Controller::raise(Fault fault, int axis, double value) {
     handle(Event::DrivesOff);
   } else {
     m_cutDrives = m_cutDrives || row.category == StopCategory::One;
-    m_raise = row.raises;
+    m_raise = (m_raise || row.raises) && !m_cutDrives;
     handle(Event::Fault);
   }
 }
 
 void Controller::watch() {
+  if (m_feedback.tick != m_report.measuredTick) {
+    m_freshTick = m_tick;
+  }
   watchInputs();
   if (m_drivesOn) {
     watchFeedback();
@@ -99,14 +102,15 @@ void Controller::watchInputs() {
 
 void Controller::watchFeedback() {
   const std::int64_t executed = m_feedback.tick;
-  if (executed != m_report.measuredTick) {
-    m_freshTick = m_tick;
-  }
   const double silence = static_cast<double>(m_tick - m_freshTick) * m_period;
-  if (silence > kFeedbackLost) {
+  if (silence > kFeedbackLost + m_lead * m_period) {
     raise(Fault::FeedbackLost);
     return;
   }
+  if (m_feedback.underruns > m_underruns && isMoving(m_state)) {
+    raise(Fault::SetPointLate, -1, static_cast<double>(m_feedback.underruns - m_underruns));
+  }
+  m_underruns = m_feedback.underruns;
   const double age = static_cast<double>(m_tick - executed - m_lead) * m_period;
   if (executed >= 0 && age > kFeedbackLate) {
     raise(Fault::FeedbackLate, -1, 1000 * age);

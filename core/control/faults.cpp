@@ -37,6 +37,8 @@ const std::array<FaultInfo, kFaultCount>& allFaults() {
       {FeedbackLate, "late-feedback", Two, false, false, "The axes report late, by {value} ms.",
        "The computer or the connection to the drives is overloaded.",
        "Close other programs, acknowledge, resume the job."},
+      {SetPointLate, "late-set-point", Two, false, false, "The axes had no set-point for {value} periods.",
+       "The computer was too busy to supply them in time.", "Close other programs, acknowledge, resume the job."},
       {OperatorLost, "heartbeat-lost", Two, false, false, "The operator's side has not answered for half a second.",
        "The program hangs or has ended.", "Start Arris again, resume the job."},
       {SpindleLost, "spindle-loss", Two, true, false, "The spindle has lost its speed on the glass.",

@@ -23,6 +23,7 @@ enum class Fault {
   HomingFailed,
   BufferDry,
   FeedbackLate,
+  SetPointLate,
   OperatorLost,
   SpindleLost,
   CoolantLost,
@@ -30,7 +31,7 @@ enum class Fault {
   SpindleNotReady,
   CoolantNotReady,
 };
-inline constexpr int kFaultCount = 18;
+inline constexpr int kFaultCount = 19;
 
 /// A row of the table of faults.
 struct FaultInfo {

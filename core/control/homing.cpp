@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace arris::control {
 
@@ -17,7 +18,7 @@ constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 
 } // namespace
 
-Homing::Homing(const recipe::Machine& machine) : m_machine(machine) {}
+Homing::Homing(recipe::Machine machine) : m_machine(std::move(machine)) {}
 
 void Homing::begin() {
   m_index = 0;

@@ -12,7 +12,7 @@ namespace arris::control {
 /// slowly off it again, and takes its place where the switch goes off.
 class Homing {
 public:
-  explicit Homing(const recipe::Machine& machine);
+  explicit Homing(recipe::Machine machine);
 
   /// From rest.
   void begin();

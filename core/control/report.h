@@ -45,6 +45,7 @@ struct Report {
   Outputs outputs;
   Faults faults;
   int pairsBuffered = 0;
+  std::int64_t stops = 0;     ///< stops ordered so far, by whoever
   std::int64_t jobsEnded = 0; ///< programs of jobs that came to their end, so far
   std::int64_t refused = 0;   ///< commands that the state did not allow, so far
   std::int64_t lost = 0;      ///< reports that found no room, so far

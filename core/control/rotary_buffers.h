@@ -46,7 +46,7 @@ public:
       sink(std::get<motion::Interval>(m_records.front()));
       m_records.pop();
     }
-    const motion::Segment segment = m_segments.front();
+    motion::Segment segment = m_segments.front();
     m_segments.pop();
     return segment;
   }

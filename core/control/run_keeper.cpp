@@ -40,6 +40,7 @@ base::Problems RunKeeper::takeProblems() {
 void RunKeeper::add(const Report& report) {
   if (report.runTick == 0) {
     finish();
+    m_jobsBefore = report.jobsEnded;
     beginRun();
   }
   if (m_rows) {
@@ -48,7 +49,7 @@ void RunKeeper::add(const Report& report) {
       note(report);
     } else if (m_endTick < 0) {
       m_endTick = m_last.tick;
-      const bool done = report.jobsEnded > m_last.jobsEnded || m_last.state == State::Idle;
+      const bool done = report.jobsEnded > m_jobsBefore;
       if (done) {
         event(m_last, "pane-done", {{"pane", std::int64_t{m_pane}}});
         m_resumePoint.remove();

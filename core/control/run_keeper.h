@@ -76,8 +76,9 @@ private:
   std::optional<files::RecordWriter> m_record;
   std::optional<RunRows> m_rows;
   Report m_last;
-  std::int64_t m_lastKept = 0; ///< tick of the last resume point
-  std::int64_t m_endTick = -1; ///< of the last row of a run that has ended
+  std::int64_t m_lastKept = 0;   ///< tick of the last resume point
+  std::int64_t m_endTick = -1;   ///< of the last row of a run that has ended
+  std::int64_t m_jobsBefore = 0; ///< jobs ended when the run began
   int m_pane = 0;
   base::Problems m_problems;
 };

@@ -19,10 +19,16 @@ constexpr double kParked = 1e-6;
 /// What rounding may put outside the travel, mm.
 constexpr double kInsideTravel = 1e-6;
 
+/// A button that was pressed longer ago than this is not acted upon, s: the operator's side was held up.
+constexpr double kFresh = 0.3;
+
+/// A program that has not shown up after so many periods was refused.
+constexpr std::int64_t kLaunchPatience = 200;
+
 } // namespace
 
-Supervisor::Supervisor(const recipe::Machine& machine, Channels& channels, Listener listener)
-    : m_machine(machine), m_channels(channels), m_listener(std::move(listener)) {}
+Supervisor::Supervisor(recipe::Machine machine, Channels& channels, Listener listener)
+    : m_machine(std::move(machine)), m_channels(channels), m_listener(std::move(listener)) {}
 
 bool Supervisor::send(const Command& command) {
   return m_channels.commands.push(command);
@@ -40,6 +46,7 @@ void Supervisor::serve() {
   while (m_channels.reports.pop(report)) {
     take(report);
   }
+  doWhatPanelWants();
   doWhatWaits();
   supply();
 }
@@ -48,6 +55,9 @@ void Supervisor::take(const Report& report) {
   noteRun(report);
   watchPanel(report);
   m_latest = report;
+  if (m_launching && (report.program == m_number || report.tick - m_launchTick > kLaunchPatience)) {
+    m_launching = false; // it is there, or was refused
+  }
   if (m_listener.period) {
     m_listener.period(report);
   }
@@ -77,14 +87,28 @@ void Supervisor::endRun() {
   m_isRun = false;
 }
 
-// What a button asks for beyond what the controller can do by itself: a program to be planned first.
+// A button that asks for what the controller cannot do by itself, as a program has to be planned first. Stop and hold
+// beat it.
 void Supervisor::watchPanel(const Report& report) {
-  const bool pressed = report.inputs.cycleStart && !m_latest.inputs.cycleStart && report.tick > 0 &&
-                       report.state == m_latest.state && !report.inputs.stop && !report.inputs.hold;
-  if (pressed && report.state == State::Held && (report.aside != Aside::OnPath || report.kind == Kind::Step)) {
+  const bool stops = report.stops != m_latest.stops || report.inputs.stop || report.inputs.hold;
+  if (stops) {
+    m_pressedTick = -1;
+    m_wantsResume = false;
+    m_wantsStep = 0;
+  } else if (report.inputs.cycleStart && !m_latest.inputs.cycleStart && report.tick > 0) {
+    m_pressedTick = report.tick;
+  }
+}
+
+void Supervisor::doWhatPanelWants() {
+  const std::int64_t pressed = std::exchange(m_pressedTick, -1);
+  const bool isFresh = pressed >= 0 && static_cast<double>(m_latest.tick - pressed) * m_machine.period < kFresh;
+  if (!isFresh) {
+    return;
+  }
+  if (m_latest.state == State::Held && (m_latest.aside != Aside::OnPath || m_latest.kind == Kind::Step)) {
     m_wantsResume = true;
-  } else if (pressed && report.state == State::Idle && m_job) {
-    m_latest = report;
+  } else if (m_latest.state == State::Idle && m_job) {
     start();
   }
 }
@@ -96,7 +120,7 @@ void Supervisor::doWhatWaits() {
     m_wantsStep = goesOn ? m_wantsStep : 0;
     return;
   }
-  if (m_latest.aside == Aside::BackingOff || m_latest.program != m_number) { // soon
+  if (m_latest.aside == Aside::BackingOff || m_launching) { // soon
     return;
   }
   const bool onPath = m_latest.aside == Aside::OnPath;
@@ -146,7 +170,7 @@ std::optional<base::Problem> Supervisor::outsideTravel(const program::Program& p
 
 bool Supervisor::launch(program::Program program, bool beginsRun, const program::JobPlace& place) {
   m_refusal = outsideTravel(program);
-  if (m_refusal || program.track.empty()) {
+  if (m_refusal || program.track.empty() || m_launching) {
     return false;
   }
   m_program = std::move(program);
@@ -164,6 +188,9 @@ bool Supervisor::launch(program::Program program, bool beginsRun, const program:
   }
   header.beginsRun = beginsRun;
   header.place = place;
+  header.stops = m_latest.stops;
+  m_launching = true;
+  m_launchTick = m_latest.tick;
   const bool sent = send(command::Load{header}) && send(command::Start{});
   supply();
   return sent;
@@ -216,7 +243,7 @@ void Supervisor::setOverride(double factor) {
 }
 
 bool Supervisor::load(std::shared_ptr<const job::Job> job, int panes) {
-  if (m_isRun || !job || !job->canBeGround() || panes < 1) {
+  if (isBusy() || !job || !job->canBeGround() || panes < 1) {
     return false;
   }
   m_room = std::make_unique<program::Room>(*job);
@@ -227,8 +254,12 @@ bool Supervisor::load(std::shared_ptr<const job::Job> job, int panes) {
   return true;
 }
 
+bool Supervisor::isBusy() const {
+  return m_isRun || m_launching || m_latest.program != 0;
+}
+
 bool Supervisor::unload() {
-  if (m_isRun) {
+  if (isBusy()) {
     return false;
   }
   m_room.reset();
@@ -248,7 +279,8 @@ bool Supervisor::start() {
 }
 
 bool Supervisor::startFrom(const program::JobPlace& place) {
-  if (!isIdle() || !m_latest.homed || !m_job) {
+  const bool isOfJob = m_job && place.segment >= 0 && place.segment < static_cast<int>(m_job->track.size());
+  if (!isIdle() || !m_latest.homed || !isOfJob) {
     return false;
   }
   program::Program rest = program::resumeProgram(*m_job, place, m_job->recipe.overlap, m_latest.commanded);
@@ -260,6 +292,8 @@ bool Supervisor::startFrom(const program::JobPlace& place) {
 }
 
 bool Supervisor::hold() {
+  m_wantsResume = false;
+  m_wantsStep = 0;
   return next(m_latest.state, Event::Hold).has_value() && send(command::Hold{});
 }
 

@@ -20,7 +20,7 @@ public:
     std::function<void(const FaultReport&)> fault;
   };
 
-  Supervisor(const recipe::Machine& machine, Channels& channels, Listener listener = {});
+  Supervisor(recipe::Machine machine, Channels& channels, Listener listener = {});
 
   /// To be called every few hundredths of a second: without it for half a second the controller stops. Takes the
   /// reports, supplies the buffers, does what waits for its time.
@@ -93,12 +93,14 @@ private:
   void noteRun(const Report& report);
   void endRun();
   void watchPanel(const Report& report);
+  void doWhatPanelWants();
   void doWhatWaits();
   void supply();
   bool send(const Command& command);
   [[nodiscard]] std::optional<base::Problem> outsideTravel(const program::Program& program) const;
   bool launch(program::Program program, bool beginsRun, const program::JobPlace& place = {});
   [[nodiscard]] bool isIdle() const;
+  [[nodiscard]] bool isBusy() const;
 
   recipe::Machine m_machine;
   Channels& m_channels;
@@ -116,6 +118,9 @@ private:
   std::optional<base::Problem> m_refusal;
   bool m_wantsResume = false;
   double m_wantsStep = 0;
+  std::int64_t m_pressedTick = -1; ///< cycle start of the panel that waits; −1 none
+  bool m_launching = false;        ///< a program is on its way to the controller
+  std::int64_t m_launchTick = 0;
 };
 
 } // namespace arris::control

@@ -8,12 +8,12 @@
 
 namespace {
 
-thread_local bool t_counts = false;
-thread_local arris::test::Calls t_calls;
+thread_local bool countsHere = false;
+thread_local arris::test::Calls callsHere;
 
 void* allocate(std::size_t size) {
-  if (t_counts) {
-    ++t_calls.allocations;
+  if (countsHere) {
+    ++callsHere.allocations;
   }
   void* memory = std::malloc(size == 0 ? 1 : size);
   if (memory == nullptr) {
@@ -23,8 +23,8 @@ void* allocate(std::size_t size) {
 }
 
 void release(void* memory) noexcept {
-  if (t_counts && memory != nullptr) {
-    ++t_calls.frees;
+  if (countsHere && memory != nullptr) {
+    ++callsHere.frees;
   }
   std::free(memory);
 }
@@ -58,8 +58,8 @@ void operator delete[](void* memory, std::size_t) noexcept {
 extern "C" int pthread_mutex_lock(pthread_mutex_t* mutex) {
   using Lock = int (*)(pthread_mutex_t*);
   static const auto lock = reinterpret_cast<Lock>(dlsym(RTLD_NEXT, "pthread_mutex_lock"));
-  if (t_counts) {
-    ++t_calls.locks;
+  if (countsHere) {
+    ++callsHere.locks;
   }
   return lock(mutex);
 }
@@ -67,16 +67,16 @@ extern "C" int pthread_mutex_lock(pthread_mutex_t* mutex) {
 namespace arris::test {
 
 Counting::Counting() {
-  t_calls = {};
-  t_counts = true;
+  callsHere = {};
+  countsHere = true;
 }
 
 Counting::~Counting() {
-  t_counts = false;
+  countsHere = false;
 }
 
-Calls Counting::calls() const {
-  return t_calls;
+Calls Counting::calls() {
+  return callsHere;
 }
 
 } // namespace arris::test

@@ -16,7 +16,7 @@ public:
   Counting& operator=(const Counting&) = delete;
   ~Counting();
 
-  [[nodiscard]] Calls calls() const;
+  [[nodiscard]] static Calls calls();
 };
 
 } // namespace arris::test

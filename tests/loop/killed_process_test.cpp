@@ -26,6 +26,7 @@ namespace {
 std::shared_ptr<const job::Job> quickJob() {
   recipe::Machine machine;
   machine.homeAt = {0, 0, 120};
+  machine.setPointLead = 0.15; // a busy computer wakes the thread late
   recipe::Recipe recipe;
   recipe.accelX = recipe.accelY = recipe.accelZ = 500;
   recipe.feed = 9000;
@@ -39,7 +40,7 @@ public:
   TellingAxes(const recipe::Machine& machine, int pipe) : m_axes(machine, Pace::Real, {0, 0, 120}), m_pipe(pipe) {}
 
   Feedback read() override {
-    const Feedback feedback = m_axes.read();
+    Feedback feedback = m_axes.read();
     if (controller != nullptr && controller->report().runTick >= 0 && feedback.tick != m_told) {
       m_told = feedback.tick;
       const std::int64_t begin = controller->report().tick - controller->report().runTick;

@@ -8,15 +8,22 @@ namespace arris::test {
 
 using control::State;
 
-Bench::Bench(const recipe::Machine& m)
-    : Bench(m, std::make_unique<IdealAxes>(m, Eigen::Vector3d(200, 300, 100),
-                                           static_cast<int>(std::lround(m.setPointLead / m.period)))) {
+namespace {
+
+std::unique_ptr<control::AxisDriver> idealAxesOf(const recipe::Machine& machine) {
+  const int lead = static_cast<int>(std::lround(machine.setPointLead / machine.period));
+  return std::make_unique<IdealAxes>(machine, Eigen::Vector3d(200, 300, 100), lead);
+}
+
+} // namespace
+
+Bench::Bench(const recipe::Machine& machineOfBench) : Bench(machineOfBench, idealAxesOf(machineOfBench)) {
   ideal = static_cast<IdealAxes*>(axes.get());
 }
 
-Bench::Bench(const recipe::Machine& m, std::unique_ptr<control::AxisDriver> driver)
-    : machine(m), controller(m, channels),
-      supervisor(m, channels, {{}, [this](const control::FaultReport& fault) { faults.push_back(fault); }}),
+Bench::Bench(const recipe::Machine& machineOfBench, std::unique_ptr<control::AxisDriver> driver)
+    : machine(machineOfBench), controller(machine, channels),
+      supervisor(machine, channels, {{}, [this](const control::FaultReport& fault) { faults.push_back(fault); }}),
       axes(std::move(driver)) {}
 
 void Bench::period() {

@@ -12,8 +12,8 @@ namespace arris::test {
 /// A whole machine in simulated time: operator's side, channels, controller and axes, one period after the other.
 class Bench {
 public:
-  explicit Bench(const recipe::Machine& machine);
-  Bench(const recipe::Machine& machine, std::unique_ptr<control::AxisDriver> axes);
+  explicit Bench(const recipe::Machine& machineOfBench);
+  Bench(const recipe::Machine& machineOfBench, std::unique_ptr<control::AxisDriver> driver);
 
   /// Switched on, homed, the job loaded, the wheel parked.
   void getReady(const job::Job& job);

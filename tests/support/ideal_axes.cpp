@@ -1,9 +1,11 @@
 #include "tests/support/ideal_axes.h"
 
+#include <utility>
+
 namespace arris::test {
 
-IdealAxes::IdealAxes(const recipe::Machine& machine, const Eigen::Vector3d& standsAt, int lead)
-    : m_machine(machine), m_standsAt(standsAt), m_lead(lead) {
+IdealAxes::IdealAxes(recipe::Machine machine, Eigen::Vector3d standsAt, int lead)
+    : m_machine(std::move(machine)), m_standsAt(std::move(standsAt)), m_lead(lead) {
   inputs.vacuumHolds = true;
 }
 
@@ -11,7 +13,10 @@ control::Feedback IdealAxes::read() {
   m_told = answers ? m_feedback : m_told;
   control::Feedback feedback = m_told;
   feedback.inputs = inputs;
-  feedback.inputs.driveReady = m_outputs.driveEnable;
+  feedback.underruns = underruns;
+  if (drivesWork) {
+    feedback.inputs.driveReady = m_outputs.driveEnable;
+  }
   feedback.inputs.spindleAtSpeed = spindleWorks && m_outputs.spindleSpeed > 0;
   feedback.inputs.coolantFlows = coolantWorks && m_outputs.coolant;
   const Eigen::Vector3d place = m_standsAt + m_feedback.position;

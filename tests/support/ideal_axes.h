@@ -13,7 +13,7 @@ namespace arris::test {
 class IdealAxes : public control::AxisDriver {
 public:
   /// `standsAt`: table coordinates at power-up, where the encoders read 0.
-  IdealAxes(const recipe::Machine& machine, const Eigen::Vector3d& standsAt, int lead);
+  IdealAxes(recipe::Machine machine, Eigen::Vector3d standsAt, int lead);
 
   [[nodiscard]] control::Feedback read() override;
   bool write(const Eigen::Vector3d& setPoint, const control::Outputs& outputs) override;
@@ -24,6 +24,8 @@ public:
   bool coolantWorks = true;
   bool switchesWork = true;
   bool answers = true; ///< feedback goes on
+  bool drivesWork = true;
+  std::int64_t underruns = 0;
 
 private:
   recipe::Machine m_machine;

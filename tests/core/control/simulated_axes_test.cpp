@@ -25,8 +25,8 @@ recipe::Machine machineOf(double period, double lead) {
 
 /// The simulated machine at the simulated pace under the hand of a test, with all outputs on.
 struct DrivenMachine {
-  explicit DrivenMachine(const Vector3d& standsAt = kPowerUpPlace, const recipe::Machine& description = {})
-      : machine(description), axes(machine, Pace::Simulated, standsAt) {
+  explicit DrivenMachine(const Vector3d& standsAt = kPowerUpPlace, recipe::Machine description = {})
+      : machine(std::move(description)), axes(machine, Pace::Simulated, standsAt) {
     outputs.driveEnable.fill(true);
     outputs.spindleSpeed = 6000;
     outputs.coolant = true;
