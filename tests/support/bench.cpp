@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace arris::test {
 
@@ -21,8 +22,8 @@ Bench::Bench(const recipe::Machine& machineOfBench) : Bench(machineOfBench, idea
   ideal = static_cast<IdealAxes*>(axes.get());
 }
 
-Bench::Bench(const recipe::Machine& machineOfBench, std::unique_ptr<control::AxisDriver> driver)
-    : machine(machineOfBench), controller(machine, channels),
+Bench::Bench(recipe::Machine machineOfBench, std::unique_ptr<control::AxisDriver> driver)
+    : machine(std::move(machineOfBench)), controller(machine, channels),
       supervisor(machine, channels, {{}, [this](const control::FaultReport& fault) { faults.push_back(fault); }}),
       axes(std::move(driver)) {}
 

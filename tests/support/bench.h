@@ -13,7 +13,7 @@ namespace arris::test {
 class Bench {
 public:
   explicit Bench(const recipe::Machine& machineOfBench);
-  Bench(const recipe::Machine& machineOfBench, std::unique_ptr<control::AxisDriver> driver);
+  Bench(recipe::Machine machineOfBench, std::unique_ptr<control::AxisDriver> driver);
 
   /// Switched on, homed, the job loaded, the wheel parked.
   void getReady(const job::Job& job);
