@@ -71,8 +71,9 @@ void RunWatch::checkLimits(const Report& report, const control::Cycle& cycle) {
   if (!report.drivesReady) {
     m_periods = 0;
   }
+  m_sinceProgram = report.program != 0 ? 0 : m_sinceProgram + 1;
   if (m_periods >= 2) {
-    const bool hasProgram = report.program != 0 || m_report.program != 0;
+    const bool hasProgram = m_sinceProgram < 3; // a second difference looks back on three periods
     for (int axis = 0; axis < 3; ++axis) {
       const double second = (cycle.setPoint[axis] - 2 * m_last[axis] + m_before[axis]) / squared(m_period);
       const double limit = hasProgram ? m_job.limits.acceleration[axis] : m_byHand[axis];

@@ -42,6 +42,7 @@ private:
   Eigen::Vector3d m_before{0, 0, 0};
   Eigen::Vector3d m_last{0, 0, 0};
   int m_periods = 0;
+  int m_sinceProgram = 3;
   control::Report m_report;
   bool m_hasReport = false;
   std::string m_broken;

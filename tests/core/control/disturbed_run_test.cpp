@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <random>
 
 namespace arris::control {
@@ -101,13 +102,17 @@ private:
   std::mt19937 m_dice;
 };
 
-constexpr int kSequences = 3;
+/// A few of them every time; as many as ARRIS_SEQUENCES says for each of the seeds by hand.
+int sequences() {
+  const char* const wanted = std::getenv("ARRIS_SEQUENCES");
+  return wanted != nullptr ? std::atoi(wanted) : 2;
+}
 
 class DisturbedRuns : public testing::TestWithParam<int> {};
 
 TEST_P(DisturbedRuns, KeepLimitsPathCapAndStatesAndComeToTheEnd) {
   std::uint64_t seed = 100 * static_cast<std::uint64_t>(GetParam());
-  for (int i = 0; i < kSequences; ++i) {
+  for (int i = 0; i < sequences(); ++i) {
     const job::Job job = test::randomJob(seed);
     SCOPED_TRACE(testing::Message() << "pane " << seed - 1 << " sequence " << i);
     Sequence(job, static_cast<unsigned>(1000 * GetParam() + i)).run();

@@ -56,7 +56,7 @@ TEST_P(FaultsOfARun, EndAtRestAsTheirCategorySaysAndTheJobIsResumedWhereItWas) {
   const FaultInfo& row = info(mishap.fault);
   std::mt19937 dice(static_cast<unsigned>(GetParam()));
   const job::Job job = job::planJob(test::triangle600(), recipe::Recipe{}, recipe::Machine{});
-  for (int round = 0; round < 6; ++round) {
+  for (int round = 0; round < 3; ++round) {
     SCOPED_TRACE(testing::Message() << row.name << " round " << round);
     Bench bench(job.machine);
     RunWatch watch(job, job.machine);
