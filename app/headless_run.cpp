@@ -194,14 +194,14 @@ private:
   }
 
   void inject(const control::Report& report) {
-    for (std::size_t i = 0; i < m_run.injections.size(); ++i) {
-      const double seconds = m_run.injections[i].seconds;
-      const bool isDue = report.runTick >= 0 && static_cast<double>(report.runTick) * m_job->machine.period >= seconds;
-      if (isDue && (m_injected & (std::uint64_t{1} << i)) == 0) {
-        m_injected |= std::uint64_t{1} << i;
-        m_simulated->inject(m_run.injections[i].fault);
+    const double time = static_cast<double>(report.runTick) * m_job->machine.period;
+    std::erase_if(m_injections, [&](const Injection& injection) {
+      const bool isDue = report.runTick >= 0 && time >= injection.seconds;
+      if (isDue) {
+        m_simulated->inject(injection.fault);
       }
-    }
+      return isDue;
+    });
   }
 
   void hear(const control::Report& report) {
@@ -242,8 +242,8 @@ private:
   control::Supervisor m_supervisor;
   std::optional<control::ControlThread> m_thread; ///< in real time
   Progress m_progress;
-  std::uint64_t m_injected = 0;
-  double m_time = 0; ///< of the run, s
+  std::vector<Injection> m_injections = m_run.injections; ///< that are still to come
+  double m_time = 0;                                      ///< of the run, s
   bool m_began = false;
 };
 

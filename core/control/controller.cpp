@@ -33,14 +33,9 @@ const Cycle& Controller::advance(const Feedback& feedback) {
   watch();
   takeButtons();
   takeCommands();
-  if (m_program.number != 0) {
-    const std::size_t inUse = m_path ? m_path->intervalIndex() : 0;
-    m_window.takeFrom(m_channels.buffers, inUse);
-    if (m_path) {
-      m_path->extend(m_window.view().end);
-    }
-  } else {
-    m_window.takeFrom(m_channels.buffers, 0);
+  m_window.takeFrom(m_channels.buffers, m_path ? m_path->intervalIndex() : 0);
+  if (m_path) {
+    m_path->extend(m_window.view().end);
   }
   move();
   const Eigen::Vector3d setPoint = m_report.commanded + m_origin - m_offset;

@@ -119,22 +119,21 @@ void Controller::moveStarting() {
   const Inputs& inputs = m_feedback.inputs;
   const bool spindle = m_spindle == 0 || inputs.spindleAtSpeed;
   const bool coolant = !m_coolant || inputs.coolantFlows;
-  if (m_state != State::Starting || (m_path && spindle && coolant && inputs.vacuumHolds)) {
-    if (m_state == State::Starting) {
-      if (m_program.beginsRun && m_pathTick == 0) {
-        m_runs = true;
-        m_report.runTick = 0;
-        m_report.path = 0;
-        m_travelled = 0;
-      }
-      m_aside = Aside::OnPath;
-      m_report.beside = 0;
-      handle(Event::Ready);
-      movePath(m_override);
-    }
+  if (m_state != State::Starting) { // the program did not begin where the wheel is
     return;
   }
-  if (static_cast<double>(m_tick - m_startTick) * m_period > m_machine.spindleWait) {
+  if (m_path && spindle && coolant && inputs.vacuumHolds) {
+    if (m_program.beginsRun && m_pathTick == 0) {
+      m_runs = true;
+      m_report.runTick = 0;
+      m_report.path = 0;
+      m_travelled = 0;
+    }
+    m_aside = Aside::OnPath;
+    m_report.beside = 0;
+    handle(Event::Ready);
+    movePath(m_override);
+  } else if (static_cast<double>(m_tick - m_startTick) * m_period > m_machine.spindleWait) {
     raise(!inputs.vacuumHolds ? Fault::VacuumLost
           : !spindle          ? Fault::SpindleNotReady
           : !coolant          ? Fault::CoolantNotReady
