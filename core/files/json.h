@@ -38,6 +38,9 @@ using Json = nlohmann::ordered_json;
 void writeMembers(JsonWriter& json, const recipe::Recipe& recipe);
 void writeMembers(JsonWriter& json, const recipe::Machine& machine);
 
+/// Both as objects, "recipe" and "machine": what a job was planned with.
+void writeSettings(JsonWriter& json, const recipe::Recipe& recipe, const recipe::Machine& machine);
+
 /// The members of an object of an earlier `writeMembers`, over the defaults that stand in `recipe`; appends whatever is
 /// wrong to `problems`. A member named `versionKey` is passed over.
 void readMembers(const Json& object, std::string_view file, recipe::Recipe& recipe, base::Problems& problems,

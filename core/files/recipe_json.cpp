@@ -200,6 +200,15 @@ void writeMembers(JsonWriter& json, const Machine& machine) {
   }
 }
 
+void writeSettings(JsonWriter& json, const Recipe& recipe, const Machine& machine) {
+  json.openObject("recipe");
+  writeMembers(json, recipe);
+  json.close();
+  json.openObject("machine");
+  writeMembers(json, machine);
+  json.close();
+}
+
 void readMembers(const Json& object, std::string_view file, Recipe& recipe, Problems& problems,
                  std::string_view versionKey) {
   setMembers(object, file, recipe, problems, versionKey, setRecipe);

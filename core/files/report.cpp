@@ -277,12 +277,7 @@ std::string report(const pattern::Pattern& pattern, const Job& job, std::string_
   JsonWriter json;
   openReport(json);
   writePattern(json, pattern, job.contours, job.toolpath.unground, job.placement.motion, file);
-  json.openObject("recipe");
-  writeMembers(json, job.recipe);
-  json.close();
-  json.openObject("machine");
-  writeMembers(json, job.machine);
-  json.close();
+  writeSettings(json, job.recipe, job.machine);
   if (!job.contours.empty()) {
     writePlacement(json, job);
   }

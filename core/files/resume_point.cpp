@@ -81,12 +81,7 @@ std::string writeResumePoint(const ResumePoint& point) {
   json.member("pane", point.pane);
   json.member("panes", point.panes);
   json.member("ended", kEndedWords.at(static_cast<std::size_t>(point.ended)));
-  json.openObject("recipe");
-  writeMembers(json, point.recipe);
-  json.close();
-  json.openObject("machine");
-  writeMembers(json, point.machine);
-  json.close();
+  writeSettings(json, point.recipe, point.machine);
   json.close();
   return json.take();
 }

@@ -83,12 +83,7 @@ std::string headerText(const RecordHeader& header) {
   json.close();
   json.member("start", header.startTime);
   json.member("pane", header.pane);
-  json.openObject("recipe");
-  writeMembers(json, header.recipe);
-  json.close();
-  json.openObject("machine");
-  writeMembers(json, header.machine);
-  json.close();
+  writeSettings(json, header.recipe, header.machine);
   json.close();
   return json.take();
 }
