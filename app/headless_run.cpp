@@ -62,6 +62,10 @@ public:
   }
 
   Executed execute() {
+    // A run that could leave nothing to resume from does not begin.
+    if (const ExitStatus failure = tellAndJudge(m_keeper.takeProblems()); failure != ExitStatus::Done) {
+      return {failure, {}};
+    }
     const ExitStatus status = begin() ? grind() : broken();
     comeToRest();
     m_keeper.finish();

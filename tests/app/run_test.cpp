@@ -86,6 +86,13 @@ TEST(Run, WithoutAJobThatWasBrokenOffHasNothingToResume) {
   EXPECT_THAT(outcome.err, HasSubstr("no job to resume"));
 }
 
+TEST(Run, DoesNotBeginWhereItsFolderCannotBe) {
+  const Outcome outcome = arris({"run", sample("triangle.dxf"), "--speed", "fast", "--state-dir", "/dev/null"});
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("/dev/null/records"));
+  EXPECT_THAT(outcome.out, IsEmpty());
+}
+
 TEST(Run, RefusesWrongValuesByName) {
   const Scratch scratch;
   for (const auto& [option, value] : std::initializer_list<std::pair<const char*, const char*>>{
