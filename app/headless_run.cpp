@@ -55,7 +55,8 @@ public:
         m_controller(job->machine, m_channels),
         m_supervisor(job->machine, m_channels,
                      {[this](const control::Report& report) { hear(report); },
-                      [this](const control::FaultReport& fault) { hear(fault); }}) {
+                      [this](const control::FaultReport& fault) { hear(fault); }},
+                     run.isFast ? std::launch::deferred : std::launch::async) {
     if (!run.isFast) {
       m_thread.emplace(m_controller, *m_axes, job->machine.period);
     }
@@ -103,10 +104,13 @@ private:
   bool start() {
     m_supervisor.setOverride(m_run.overrideFactor);
     const bool started = m_run.from ? m_supervisor.startFrom(*m_run.from) : m_supervisor.start();
+    while (m_supervisor.isPlanning() && !interrupted()) {
+      pass();
+    }
     if (m_supervisor.refusal()) {
       tell({&*m_supervisor.refusal(), 1}, "on the table");
     }
-    return started;
+    return started && !m_supervisor.refusal();
   }
 
   ExitStatus grind() {

@@ -4,6 +4,7 @@
 #include "core/toolpath/glass.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -27,8 +28,8 @@ constexpr std::int64_t kLaunchPatience = 200;
 
 } // namespace
 
-Supervisor::Supervisor(recipe::Machine machine, Channels& channels, Listener listener)
-    : m_machine(std::move(machine)), m_channels(channels), m_listener(std::move(listener)) {}
+Supervisor::Supervisor(recipe::Machine machine, Channels& channels, Listener listener, std::launch planning)
+    : m_machine(std::move(machine)), m_channels(channels), m_listener(std::move(listener)), m_planning(planning) {}
 
 bool Supervisor::send(const Command& command) {
   return m_channels.commands.push(command);
@@ -48,6 +49,7 @@ void Supervisor::serve() {
   }
   doWhatPanelWants();
   doWhatWaits();
+  takePlan();
   supply();
 }
 
@@ -93,8 +95,7 @@ void Supervisor::watchPanel(const Report& report) {
   const bool stops = report.stops != m_latest.stops || report.inputs.stop || report.inputs.hold;
   if (stops) {
     m_pressedTick = -1;
-    m_wantsResume = false;
-    m_wantsStep = 0;
+    giveUpPlans();
   } else if (report.inputs.cycleStart && !m_latest.inputs.cycleStart && report.tick > 0) {
     m_pressedTick = report.tick;
   }
@@ -120,7 +121,7 @@ void Supervisor::doWhatWaits() {
     m_wantsStep = goesOn ? m_wantsStep : 0;
     return;
   }
-  if (m_latest.aside == Aside::BackingOff || m_launching) { // soon
+  if (m_latest.aside == Aside::BackingOff || m_launching || m_plan) { // soon
     return;
   }
   const bool onPath = m_latest.aside == Aside::OnPath;
@@ -128,14 +129,53 @@ void Supervisor::doWhatWaits() {
     if (onPath && m_latest.kind != Kind::Step) {
       send(command::Resume{});
     } else {
-      launch(program::resumeProgram(*m_job, m_latest.place, m_job->recipe.overlap, m_latest.commanded), false);
+      plan([job = m_job, place = m_latest.place,
+            at = m_latest.commanded] { return program::resumeProgram(*job, place, job->recipe.overlap, at); },
+           false);
     }
   } else if (m_wantsStep != 0 && (!onPath || m_machine.backOff == 0)) {
-    auto step = program::stepProgram(*m_job, m_latest.place, std::exchange(m_wantsStep, 0), m_latest.beside,
-                                     m_latest.commanded);
-    if (step) {
-      launch(std::move(step->program), false);
-    }
+    plan(
+        [job = m_job, place = m_latest.place, distance = std::exchange(m_wantsStep, 0), beside = m_latest.beside,
+         at = m_latest.commanded]() -> std::optional<program::Program> {
+          auto step = program::stepProgram(*job, place, distance, beside, at);
+          return step ? std::optional(std::move(step->program)) : std::nullopt;
+        },
+        false);
+  }
+}
+
+/// Plans in the background; true where it is under way or, planned at once, launched.
+template <typename Way> bool Supervisor::plan(Way way, bool beginsRun, const program::JobPlace& place) {
+  m_refusal.reset();
+  m_plan = Plan{std::async(m_planning, [way = std::move(way)]() -> std::optional<program::Program> { return way(); }),
+                m_latest.state, m_latest.stops, beginsRun, place};
+  return m_planning == std::launch::async || takePlan();
+}
+
+// False where what was planned cannot be launched.
+bool Supervisor::takePlan() {
+  if (!m_plan || m_plan->program.wait_for(std::chrono::seconds(0)) == std::future_status::timeout) {
+    return true;
+  }
+  Plan plan = std::move(*m_plan);
+  m_plan.reset();
+  auto program = plan.program.get();
+  if (!plan.isWanted || m_latest.state != plan.state || m_latest.stops != plan.stops || !program) {
+    return false;
+  }
+  if (program->track.empty() && plan.beginsRun) { // it was broken off at its very end
+    endRun();
+    return true;
+  }
+  return launch(std::move(*program), plan);
+}
+
+// One that is being planned is thrown away once it is there: waiting for it would take time.
+void Supervisor::giveUpPlans() {
+  m_wantsResume = false;
+  m_wantsStep = 0;
+  if (m_plan) {
+    m_plan->isWanted = false;
   }
 }
 
@@ -168,7 +208,7 @@ std::optional<base::Problem> Supervisor::outsideTravel(const program::Program& p
   return std::nullopt;
 }
 
-bool Supervisor::launch(program::Program program, bool beginsRun, const program::JobPlace& place) {
+bool Supervisor::launch(program::Program program, const Plan& plan) {
   m_refusal = outsideTravel(program);
   if (m_refusal || program.track.empty() || m_launching) {
     return false;
@@ -186,9 +226,9 @@ bool Supervisor::launch(program::Program program, bool beginsRun, const program:
     header.wheelSide = toolpath::wheelSide(m_job->recipe.direction);
     header.spindleSpeed = m_program.kind == Kind::Positioning ? 0 : m_job->recipe.spindle;
   }
-  header.beginsRun = beginsRun;
-  header.place = place;
-  header.stops = m_latest.stops;
+  header.beginsRun = plan.beginsRun;
+  header.place = plan.place;
+  header.stops = plan.stops;
   m_launching = true;
   m_launchTick = m_latest.tick;
   const bool sent = send(command::Load{header}) && send(command::Start{});
@@ -197,7 +237,7 @@ bool Supervisor::launch(program::Program program, bool beginsRun, const program:
 }
 
 bool Supervisor::isIdle() const {
-  return m_latest.state == State::Idle && m_latest.drivesReady && m_latest.program == 0;
+  return m_latest.state == State::Idle && m_latest.drivesReady && m_latest.program == 0 && !m_plan && !m_launching;
 }
 
 bool Supervisor::enable() {
@@ -255,7 +295,7 @@ bool Supervisor::load(std::shared_ptr<const job::Job> job, int panes) {
 }
 
 bool Supervisor::isBusy() const {
-  return m_isRun || m_launching || m_latest.program != 0;
+  return m_isRun || m_launching || m_plan || m_latest.program != 0;
 }
 
 bool Supervisor::unload() {
@@ -273,9 +313,11 @@ bool Supervisor::start() {
     return false;
   }
   const bool isParked = (m_latest.commanded - m_job->machine.park).cwiseAbs().maxCoeff() <= kParked;
-  return launch(isParked ? program::jobProgram(*m_job)
-                         : program::resumeProgram(*m_job, {0, 0}, m_job->recipe.overlap, m_latest.commanded),
-                true, {0, 0});
+  return plan(
+      [job = m_job, isParked, at = m_latest.commanded] {
+        return isParked ? program::jobProgram(*job) : program::resumeProgram(*job, {0, 0}, job->recipe.overlap, at);
+      },
+      true, {0, 0});
 }
 
 bool Supervisor::startFrom(const program::JobPlace& place) {
@@ -283,17 +325,13 @@ bool Supervisor::startFrom(const program::JobPlace& place) {
   if (!isIdle() || !m_latest.homed || !isOfJob) {
     return false;
   }
-  program::Program rest = program::resumeProgram(*m_job, place, m_job->recipe.overlap, m_latest.commanded);
-  if (rest.track.empty()) { // it was broken off at its very end
-    endRun();
-    return true;
-  }
-  return launch(std::move(rest), true, place);
+  return plan([job = m_job, place,
+               at = m_latest.commanded] { return program::resumeProgram(*job, place, job->recipe.overlap, at); },
+              true, place);
 }
 
 bool Supervisor::hold() {
-  m_wantsResume = false;
-  m_wantsStep = 0;
+  giveUpPlans();
   return next(m_latest.state, Event::Hold).has_value() && send(command::Hold{});
 }
 
@@ -309,18 +347,21 @@ bool Supervisor::step(double distance) {
 }
 
 void Supervisor::stop() {
-  m_wantsResume = false;
-  m_wantsStep = 0;
+  giveUpPlans();
   send(command::Stop{});
 }
 
 bool Supervisor::trace() {
-  return isIdle() && m_latest.homed && m_job && launch(program::traceProgram(*m_job, m_latest.commanded), false);
+  return isIdle() && m_latest.homed && m_job &&
+         plan([job = m_job, at = m_latest.commanded] { return program::traceProgram(*job, at); }, false);
 }
 
 bool Supervisor::park() {
   const recipe::Recipe recipe = m_job ? m_job->recipe : recipe::Recipe{};
-  return isIdle() && m_latest.homed && launch(program::parkProgram(recipe, m_machine, m_latest.commanded), false);
+  return isIdle() && m_latest.homed &&
+         plan([recipe, machine = m_machine,
+               at = m_latest.commanded] { return program::parkProgram(recipe, machine, at); },
+              false);
 }
 
 } // namespace arris::control

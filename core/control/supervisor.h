@@ -4,6 +4,7 @@
 #include "core/program/manoeuvres.h"
 
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -20,11 +21,19 @@ public:
     std::function<void(const FaultReport&)> fault;
   };
 
-  Supervisor(recipe::Machine machine, Channels& channels, Listener listener = {});
+  /// What the wheel is to do is planned in a thread of its own, as it may take longer than the controller waits for a
+  /// call of `serve`; with `std::launch::deferred` in the call that asks for it or in `serve`, for simulated time.
+  Supervisor(recipe::Machine machine, Channels& channels, Listener listener = {},
+             std::launch planning = std::launch::async);
 
   /// To be called every few hundredths of a second: without it for half a second the controller stops. Takes the
   /// reports, supplies the buffers, does what waits for its time.
   void serve();
+
+  /// A way is being planned that has been asked for.
+  [[nodiscard]] bool isPlanning() const {
+    return m_plan.has_value() && m_plan->isWanted;
+  }
 
   /// The last period that was reported.
   [[nodiscard]] const Report& latest() const {
@@ -55,7 +64,7 @@ public:
   }
 
   // What the operator wants. False where the state does not allow it; nothing is done then. What is allowed is on its
-  // way to the controller when the call returns.
+  // way to the controller when the call returns, or will be as soon as it is planned.
 
   bool enable();
   bool disable();
@@ -89,6 +98,16 @@ public:
   bool park();
 
 private:
+  /// A program that is being planned, and what it was asked for.
+  struct Plan {
+    std::future<std::optional<program::Program>> program; ///< none: there is no way
+    State state = State::Idle;                            ///< in which it was asked for, and
+    std::int64_t stops = 0;                               ///< after so many stops
+    bool beginsRun = false;
+    program::JobPlace place;
+    bool isWanted = true; ///< neither hold nor stop came after it
+  };
+
   void take(const Report& report);
   void noteRun(const Report& report);
   void endRun();
@@ -97,8 +116,11 @@ private:
   void doWhatWaits();
   void supply();
   bool send(const Command& command);
+  template <typename Way> bool plan(Way way, bool beginsRun, const program::JobPlace& place = {});
+  bool takePlan();
+  void giveUpPlans();
   [[nodiscard]] std::optional<base::Problem> outsideTravel(const program::Program& program) const;
-  bool launch(program::Program program, bool beginsRun, const program::JobPlace& place = {});
+  bool launch(program::Program program, const Plan& plan);
   [[nodiscard]] bool isIdle() const;
   [[nodiscard]] bool isBusy() const;
 
@@ -121,6 +143,8 @@ private:
   std::int64_t m_pressedTick = -1; ///< cycle start of the panel that waits; −1 none
   bool m_launching = false;        ///< a program is on its way to the controller
   std::int64_t m_launchTick = 0;
+  std::launch m_planning;
+  std::optional<Plan> m_plan;
 };
 
 } // namespace arris::control

@@ -33,7 +33,8 @@ class CountedLoop {
 public:
   explicit CountedLoop(const job::Job& job)
       : m_axes(job.machine, control::Pace::Simulated, {100, 200, 90}, {0, 0, 0}), m_controller(job.machine, m_channels),
-        m_supervisor(job.machine, m_channels), m_job(std::make_shared<const job::Job>(job)) {}
+        m_supervisor(job.machine, m_channels, {}, std::launch::deferred), m_job(std::make_shared<const job::Job>(job)) {
+  }
 
   void period() {
     {

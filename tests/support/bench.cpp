@@ -24,7 +24,8 @@ Bench::Bench(const recipe::Machine& machineOfBench) : Bench(machineOfBench, idea
 
 Bench::Bench(recipe::Machine machineOfBench, std::unique_ptr<control::AxisDriver> driver)
     : machine(std::move(machineOfBench)), controller(machine, channels),
-      supervisor(machine, channels, {{}, [this](const control::FaultReport& fault) { faults.push_back(fault); }}),
+      supervisor(machine, channels, {{}, [this](const control::FaultReport& fault) { faults.push_back(fault); }},
+                 std::launch::deferred),
       axes(std::move(driver)) {}
 
 void Bench::period() {
