@@ -7,7 +7,7 @@ namespace arris::control {
 
 namespace {
 
-/// Places of set-points that are remembered for the following error; a power of two above every lead in periods.
+/// Periods whose set-points and places are remembered; a power of two above every lead in periods.
 constexpr std::size_t kHistory = 4096;
 
 /// Jog and homing use this share of the machine's accelerations: a hand on a button needs no haste.
@@ -18,7 +18,7 @@ constexpr double kByHandShare = 0.2;
 Controller::Controller(const recipe::Machine& machine, Channels& channels)
     : m_machine(machine), m_channels(channels), m_period(machine.period),
       m_lead(std::max(1, static_cast<int>(std::lround(machine.setPointLead / machine.period)))), m_history(kHistory),
-      m_homing(machine) {
+      m_places(kHistory), m_homing(machine) {
   for (int axis = 0; axis < kAxes; ++axis) {
     m_ramps[static_cast<std::size_t>(axis)] = AxisRamp(kByHandShare * machine.maxAccel[axis], m_period);
     m_most[axis] = kByHandShare * machine.maxAccel[axis];
@@ -40,9 +40,11 @@ const Cycle& Controller::advance(const Feedback& feedback) {
   move();
   const Eigen::Vector3d setPoint = m_report.commanded + m_origin - m_offset;
   if (isConsistent(setPoint)) {
+    m_movedTick = setPoint == m_cycle.setPoint ? m_movedTick : m_tick;
     m_cycle.setPoint = setPoint;
   }
   m_history[static_cast<std::size_t>(m_tick) & (kHistory - 1)] = m_cycle.setPoint;
+  m_places[static_cast<std::size_t>(m_tick) & (kHistory - 1)] = m_report.place;
   tell();
   m_lastInputs = feedback.inputs;
   return m_cycle;
@@ -290,6 +292,7 @@ void Controller::load(const ProgramHeader& header) {
   }
   m_program = header;
   m_report.place = header.place.segment >= 0 ? header.place : m_report.place;
+  m_loadedTick = m_tick;
   m_window.begin(header.number);
   m_path.reset();
   for (int axis = 0; axis < kAxes; ++axis) {
@@ -301,6 +304,8 @@ void Controller::load(const ProgramHeader& header) {
 }
 
 void Controller::forgetProgram() {
+  m_report.place = m_reachedPlace.value_or(m_report.place);
+  m_reachedPlace.reset();
   m_program = {};
   m_window.begin(0);
   m_path.reset();

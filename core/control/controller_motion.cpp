@@ -321,6 +321,9 @@ void Controller::moveStopping() {
     raiseWheel();
     return;
   }
+  if (m_cutDrives && m_feedback.tick < m_movedTick) { // the axes are the lead behind: they are still being braked
+    return;
+  }
   handle(Event::AtRest);
 }
 

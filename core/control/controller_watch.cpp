@@ -38,6 +38,9 @@ void Controller::raise(Fault fault, int axis, double value) {
   static_cast<void>(m_channels.faults.push({m_tick, fault, axis, value}));
   const FaultInfo& row = info(fault);
   m_homed = m_homed && !row.losesPlace;
+  if (row.category != StopCategory::Two) {
+    keepReachedPlace();
+  }
   if (fault == Fault::EmergencyStop) {
     handle(Event::EmergencyStop);
   } else if (row.category == StopCategory::Zero) {
@@ -47,6 +50,16 @@ void Controller::raise(Fault fault, int axis, double value) {
     m_cutDrives = m_cutDrives || row.category == StopCategory::One;
     m_raise = (m_raise || row.raises) && !m_cutDrives;
     handle(Event::Fault);
+  }
+}
+
+// Axes whose drives go off, or may not be able to hold them, do not follow what is still under way to them: what they
+// have not reached is to be ground when the job is resumed.
+void Controller::keepReachedPlace() {
+  const auto size = static_cast<std::int64_t>(m_places.size());
+  const std::int64_t reached = std::max(m_feedback.tick, m_loadedTick);
+  if (m_program.number != 0 && !m_reachedPlace && reached < m_tick && m_tick - reached < size) {
+    m_reachedPlace = m_places[static_cast<std::size_t>(reached) & (m_places.size() - 1)];
   }
 }
 
