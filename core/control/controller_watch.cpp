@@ -38,7 +38,7 @@ void Controller::raise(Fault fault, int axis, double value) {
   static_cast<void>(m_channels.faults.push({m_tick, fault, axis, value}));
   const FaultInfo& row = info(fault);
   m_homed = m_homed && !row.losesPlace;
-  if (row.category != StopCategory::Two) {
+  if (row.category != StopCategory::Two || fault == Fault::FeedbackLate) {
     keepReachedPlace();
   }
   if (fault == Fault::EmergencyStop) {
@@ -54,7 +54,7 @@ void Controller::raise(Fault fault, int axis, double value) {
 }
 
 // Axes whose drives go off, or may not be able to hold them, do not follow what is still under way to them: what they
-// have not reached is to be ground when the job is resumed.
+// have not reached, or not told that they have, is to be ground when the job is resumed.
 void Controller::keepReachedPlace() {
   const auto size = static_cast<std::int64_t>(m_places.size());
   const std::int64_t reached = std::max(m_feedback.tick, m_loadedTick);

@@ -7,6 +7,7 @@
 #include "tests/support/random_panes.h"
 #include "tests/support/run_watch.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include <limits>
 #include <optional>
 #include <random>
+#include <string>
 
 namespace arris::control {
 namespace {
@@ -64,6 +66,7 @@ public:
         ++commands;
       }
     }
+    const testing::ScopedTrace story(__FILE__, __LINE__, m_story);
     EXPECT_EQ(m_watch.broken(), "");
     EXPECT_EQ(m_ground.missing(isOver()), "");
     EXPECT_TRUE(isOver()) << "in state " << name(m_bench.report().state) << ", job "
@@ -94,6 +97,10 @@ private:
       EXPECT_FALSE(isMoving(report.state)) << name(report.state) << " by itself in period " << report.tick;
     }
     m_isAsked = m_isAsked && (waitsForOperator(report.state) == waitsForOperator(m_last.state));
+    if (report.state != m_last.state || report.aside != m_last.aside) {
+      m_story +=
+          fmt::format("{} {} at {}:{}\n", report.tick, name(report.state), report.place.segment, report.place.lambda);
+    }
     if (report.jobsEnded > m_last.jobsEnded) {
       EXPECT_LT((report.commanded - m_job.machine.park).norm(), 1e-9);
     }
@@ -107,6 +114,7 @@ private:
   void seeFaults(const Report& report) {
     for (; m_faultsSeen < m_bench.faults.size(); ++m_faultsSeen) {
       const FaultReport& fault = m_bench.faults[m_faultsSeen];
+      m_story += fmt::format("{} {}\n", fault.tick, info(fault.fault).name);
       EXPECT_TRUE(fault.tick >= m_mishapTick && fault.tick <= m_mendedTick)
           << info(fault.fault).name << " axis " << fault.axis << " value " << fault.value << " in period "
           << fault.tick;
@@ -163,6 +171,7 @@ private:
     const std::vector<test::Mishap> all = test::mishaps();
     m_mishap = all[m_dice() % all.size()];
     m_mishap->begins(m_bench);
+    m_story += fmt::format("{} mishap of {}\n", m_bench.report().tick, info(m_mishap->fault).name);
     m_mishapTick = m_bench.report().tick;
     m_mendedTick = std::numeric_limits<std::int64_t>::max();
     m_mends = std::exp(between(std::log(0.005), std::log(8)));
@@ -212,6 +221,7 @@ private:
   Report m_last;
   bool m_isAsked = false; ///< for something, since the machine last came to rest
   program::JobPlace m_brokenOffAt;
+  std::string m_story; ///< for whoever looks into a failure
 };
 
 /// One for each of the seeds every time; as many as ARRIS_SEQUENCES says by hand.
