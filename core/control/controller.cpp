@@ -52,6 +52,7 @@ const Cycle& Controller::advance(const Feedback& feedback) {
 
 // Stop beats start.
 void Controller::takeButtons() {
+  m_jogEnabled = m_feedback.inputs.jogEnable && (m_jogEnabled || !m_lastInputs.jogEnable);
   const auto pressed = [this](bool Inputs::*button) { return m_feedback.inputs.*button && !(m_lastInputs.*button); };
   if (pressed(&Inputs::stop)) {
     handle(Event::Stop);
@@ -170,8 +171,9 @@ bool Controller::mayFollow(Event event) const {
   case Event::Enable:
     return !m_feedback.inputs.emergencyStop && !m_faults.any();
   case Event::Home:
-  case Event::Jog:
     return drivesReady();
+  case Event::Jog:
+    return drivesReady() && mayJog();
   case Event::Start:
     return isReady && !isHeldBack && m_program.kind == Kind::Job && !m_path && m_aside != Aside::BackingOff;
   case Event::Step:
@@ -323,13 +325,17 @@ void Controller::beginRamps() {
   m_rampsMove = true;
 }
 
+bool Controller::mayJog() const {
+  return m_jogEnabled || !m_machine.jogEnableRequired;
+}
+
 void Controller::jog(const Eigen::Vector3d& velocity) {
   const bool isNew = m_state != State::Jogging;
   if (!velocity.allFinite() || (isNew && velocity.isZero())) {
     return;
   }
   handle(Event::Jog);
-  if (m_state == State::Jogging) {
+  if (m_state == State::Jogging && mayJog()) {
     const double most = (m_homed ? m_machine.jogSpeed : std::min(m_machine.jogSpeed, m_machine.homeSearch)) / 60;
     m_jogVelocity = velocity.cwiseMax(-most).cwiseMin(most);
     m_jogsToTarget = false;

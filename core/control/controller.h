@@ -50,6 +50,7 @@ private:
   void forgetProgram();
   void jog(const Eigen::Vector3d& velocity);
   void jogBy(const Eigen::Vector3d& way);
+  [[nodiscard]] bool mayJog() const;
   void beginRamps();
   void tell();
 
@@ -147,6 +148,7 @@ private:
   Eigen::Vector3d m_jogVelocity{0, 0, 0};
   Eigen::Vector3d m_jogTarget{0, 0, 0};
   bool m_jogsToTarget = false;
+  bool m_jogEnabled = false; ///< by a fresh press of the panel's jog enable that still lasts
   bool m_rampsMove = false;
   std::int64_t m_jogTick = 0;
   std::int64_t m_operatorTick = 0;

@@ -350,6 +350,10 @@ void Controller::moveHoming() {
 // Also brakes what homing had set in motion.
 void Controller::moveJogging() {
   const bool isStopping = m_state != State::Jogging;
+  if (!mayJog()) { // as if it were no longer said
+    m_jogVelocity.setZero();
+    m_jogsToTarget = false;
+  }
   const bool isLeft = static_cast<double>(m_tick - m_jogTick) * m_period > kJogConfirm;
   bool atRest = true;
   const double fastest = (m_homed ? m_machine.jogSpeed : std::min(m_machine.jogSpeed, m_machine.homeSearch)) / 60;

@@ -114,6 +114,42 @@ TEST(Jog, ByStepsEndsExactlyThere) {
   EXPECT_LT((bench.report().commanded - from - Eigen::Vector3d(10, 0.001, -100)).norm(), 1e-9);
 }
 
+TEST(JogEnable, WhereItIsRequiredIsHeldAllTheWhileAndFreshlyPressed) {
+  recipe::Machine machine;
+  machine.jogEnableRequired = true;
+  Bench bench{machine};
+  const job::Job job = triangleJob();
+  RunWatch watch(job, machine);
+  bench.onPeriod = [&](const Report& report, const Cycle& cycle) { watch.add(report, cycle); };
+  bench.ideal->inputs.jogEnable = true; // stuck at power-up
+  switchOn(bench);
+  home(bench);
+  const auto order = [&](bool toPlace) {
+    toPlace ? bench.supervisor.jogBy({50, 0, 0}) : bench.supervisor.jogAt({30, 0, 0});
+    bench.runFor(0.15);
+    bench.supervisor.serve();
+    return bench.report().state == State::Jogging;
+  };
+  EXPECT_FALSE(order(false));
+  bench.ideal->inputs.jogEnable = false;
+  EXPECT_FALSE(order(true));
+  for (const bool toPlace : {false, true}) {
+    SCOPED_TRACE(toPlace);
+    bench.ideal->inputs.jogEnable = true;
+    bench.runFor(0.05);
+    ASSERT_TRUE(order(toPlace));
+    EXPECT_GT(bench.report().velocity.x(), 5);
+    bench.ideal->inputs.jogEnable = false;
+    bench.period();
+    EXPECT_FALSE(order(toPlace)) << "it brakes, whatever is said";
+    EXPECT_EQ(bench.report().state, State::Idle);
+    bench.runFor(1);
+    EXPECT_EQ(bench.report().state, State::Idle);
+  }
+  EXPECT_EQ(watch.broken(), "");
+  EXPECT_TRUE(bench.faults.empty());
+}
+
 TEST(Origin, MovesTheTableAndNotTheAxes) {
   Bench bench{recipe::Machine{}};
   switchOn(bench);
