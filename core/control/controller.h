@@ -57,6 +57,7 @@ private:
   // What may go wrong (controller_watch.cpp)
   void watch();
   void watchInputs();
+  [[nodiscard]] bool hitsLimit(std::size_t axis) const;
   void watchFeedback();
   void watchServices();
   void raise(Fault fault, int axis = -1, double value = 0);

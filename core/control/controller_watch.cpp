@@ -95,9 +95,7 @@ void Controller::watchInputs() {
     if (inputs.driveFault[i]) {
       raise(Fault::DriveFault, axis);
     }
-    const bool hits =
-        (inputs.limitLow[i] && !m_lastInputs.limitLow[i]) || (inputs.limitHigh[i] && !m_lastInputs.limitHigh[i]);
-    if (hits) {
+    if (hitsLimit(i)) {
       raise(Fault::LimitSwitch, axis);
     }
     allReady = allReady && inputs.driveReady[i];
@@ -111,6 +109,15 @@ void Controller::watchInputs() {
     m_readyTick = m_tick;
     m_guarded = 0;
   }
+}
+
+// One that is on from power-up or since an earlier fault is hit where the axis is moved farther; jog does not do that.
+bool Controller::hitsLimit(std::size_t axis) const {
+  const Inputs& now = m_feedback.inputs;
+  const double speed = m_state == State::Jogging ? 0 : m_report.velocity[static_cast<int>(axis)];
+  const bool low = now.limitLow[axis] && (!m_lastInputs.limitLow[axis] || speed < 0);
+  const bool high = now.limitHigh[axis] && (!m_lastInputs.limitHigh[axis] || speed > 0);
+  return low || high;
 }
 
 void Controller::watchFeedback() {
