@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <ctime>
 #include <functional>
 #include <thread>
@@ -50,7 +51,7 @@ base::Expected<std::unique_ptr<control::AxisDriver>> axesOf(const HeadlessRun& r
 class Machine {
 public:
   Machine(const HeadlessRun& run, const std::shared_ptr<const job::Job>& job, std::unique_ptr<control::AxisDriver> axes)
-      : m_run(run), m_job(job), m_keeper(run.folder, job, run.patternFile, run.patternHash, wallClock),
+      : m_run(run), m_job(job), m_keeper(run.folder, job, run.patternFile, run.patternHash, wallClock, run.panes),
         m_axes(std::move(axes)), m_simulated(dynamic_cast<control::SimulatedAxes*>(m_axes.get())),
         m_controller(job->machine, m_channels),
         m_supervisor(job->machine, m_channels,
@@ -67,7 +68,7 @@ public:
     if (const ExitStatus failure = tellAndJudge(m_keeper.takeProblems()); failure != ExitStatus::Done) {
       return {failure, {}};
     }
-    const ExitStatus status = begin() ? grind() : broken();
+    const ExitStatus status = begin() ? grindAll() : broken();
     comeToRest();
     m_keeper.finish();
     tell(m_keeper.takeProblems());
@@ -79,9 +80,6 @@ public:
       fmt::print("Late wake-ups {}, least lead left {} periods\n", timing.lateWakeUps, timing.worstLead);
       m_thread.reset();
     }
-    if (status == ExitStatus::Done) {
-      fmt::print("Ground in {:.3f} s. Record: {}\n", m_time, m_keeper.record().string());
-    }
     return {status, m_keeper.record()};
   }
 
@@ -92,13 +90,17 @@ private:
     return until([this] { return latest().tick > 0; }, kSoon) && m_supervisor.enable() &&
            until([this] { return latest().drivesReady; }, kSoon) && m_supervisor.home() &&
            until([this] { return latest().state == State::Idle && latest().homed; }, kHomingPatience) && park() &&
-           m_supervisor.load(m_job) && start();
+           m_supervisor.load(m_job, panesLeft()) && start();
   }
 
   bool park() {
     const bool isThere = (latest().commanded - m_job->machine.park).norm() < 1e-6;
     return isThere || (m_supervisor.park() && until([this] { return latest().state == State::Positioning; }, 5) &&
                        until([this] { return latest().state == State::Idle; }, kHomingPatience));
+  }
+
+  [[nodiscard]] int panesLeft() const {
+    return m_run.panes.ordered - m_run.panes.first + 1;
   }
 
   bool start() {
@@ -113,13 +115,55 @@ private:
     return started && !m_supervisor.refusal();
   }
 
-  ExitStatus grind() {
+  ExitStatus grindAll() {
+    for (int done = 0;;) {
+      const ExitStatus status = grind(done);
+      if (status != ExitStatus::Done) {
+        return status;
+      }
+      tellPane(m_run.panes.first + done);
+      if (++done >= panesLeft()) {
+        return status;
+      }
+      if (!next()) {
+        return broken();
+      }
+    }
+  }
+
+  void tellPane(int pane) {
+    if (m_keeper.record().empty()) { // it was broken off at its very end
+      m_keeper.nothingLeft();
+      fmt::print("Nothing was left to grind.\n");
+      return;
+    }
+    m_keeper.finish();
+    const std::string which = m_run.panes.ordered > 1 ? fmt::format("Pane {} of {}: ", pane, m_run.panes.ordered) : "";
+    fmt::print("{}Ground in {:.3f} s. Record: {}\n", which, m_time, m_keeper.record().string());
+    std::fflush(stdout);
+  }
+
+  // Somebody has to change the pane on a real machine, and says so.
+  bool next() {
+    m_began = false;
+    if (m_simulated != nullptr) {
+      return m_supervisor.start();
+    }
+    complain("the next pane is ground when cycle start is pressed on the panel");
+    while (latest().program == 0 && !isFaulted() && !interrupted()) {
+      pass();
+    }
+    return latest().program != 0;
+  }
+
+  // The pane after so many that are done.
+  ExitStatus grind(int done) {
     using control::JobState;
-    const auto isOver = [this] {
-      const JobState state = m_supervisor.jobState();
+    const auto isDone = [&] { return m_supervisor.panesDone() > done; };
+    const auto isOver = [&] {
       m_began = m_began || latest().program != 0;
       const bool isForgotten = latest().state == State::Idle && latest().program == 0 && m_began;
-      return state == JobState::Ended || state == JobState::Aborted || isForgotten || isFaulted();
+      return isDone() || m_supervisor.jobState() == JobState::Aborted || isForgotten || isFaulted();
     };
     bool stops = false;
     double waits = 0;
@@ -142,7 +186,7 @@ private:
     if (isFaulted()) {
       return ExitStatus::MachineFaulted;
     }
-    return m_supervisor.jobState() == JobState::Ended ? ExitStatus::Done : ExitStatus::Interrupted;
+    return isDone() ? ExitStatus::Done : ExitStatus::Interrupted;
   }
 
   [[nodiscard]] ExitStatus broken() const {

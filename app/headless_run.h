@@ -28,6 +28,7 @@ struct HeadlessRun {
   double overrideFactor = 1;
   std::vector<Injection> injections;
   std::optional<program::JobPlace> from; ///< resumes there
+  control::PaneOrder panes;              ///< one after the other; on a real machine each next one by cycle start
 };
 
 struct Executed {

@@ -53,9 +53,12 @@ OrStatus<Settings> loadSettings(const fs::path& recipeFile, const fs::path& mach
   return Settings{*std::move(recipe), *std::move(machine)};
 }
 
+pattern::Pattern patternIn(std::string_view bytes, const recipe::Recipe& recipe) {
+  return pattern::readDxf(bytes, pattern::importOptions(recipe));
+}
+
 OrStatus<pattern::Pattern> loadPattern(const fs::path& file, const recipe::Recipe& recipe) {
-  return load(file).map(
-      [&](const std::string& text) { return pattern::readDxf(text, pattern::importOptions(recipe)); });
+  return load(file).map([&](const std::string& bytes) { return patternIn(bytes, recipe); });
 }
 
 } // namespace arris::app

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace arris::app {
 
@@ -26,6 +27,9 @@ struct Settings {
 /// Defaults, then the files (an empty path: none), then the options; checked for each other. Warnings are told.
 [[nodiscard]] OrStatus<Settings> loadSettings(const std::filesystem::path& recipeFile,
                                               const std::filesystem::path& machineFile, const RecipeOptions& options);
+
+/// The drawing in the bytes of a file, with whatever problems it has.
+[[nodiscard]] pattern::Pattern patternIn(std::string_view bytes, const recipe::Recipe& recipe);
 
 /// The drawing in a file, with whatever problems it has.
 [[nodiscard]] OrStatus<pattern::Pattern> loadPattern(const std::filesystem::path& file, const recipe::Recipe& recipe);

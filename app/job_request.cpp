@@ -120,17 +120,18 @@ ExitStatus checkFiles(const JobRequest& request) {
 }
 
 OrStatus<PlannedJob> planJobOf(const fs::path& file, const Settings& settings) {
+  return load(file).and_then([&](const std::string& bytes) { return planJobIn(bytes, file, settings); });
+}
+
+OrStatus<PlannedJob> planJobIn(std::string_view bytes, const fs::path& file, const Settings& settings) {
   std::optional<PlannedJob> result;
   {
     const Progress progress;
     progress.show(fmt::format("Reading {} …", file.filename().string()));
-    auto pattern = loadPattern(file, settings.recipe);
-    if (!pattern) {
-      return tl::unexpected(pattern.error());
-    }
+    pattern::Pattern pattern = patternIn(bytes, settings.recipe);
     progress.show("Planning …");
-    job::Job job = job::planJob(*pattern, settings.recipe, settings.machine);
-    result.emplace(PlannedJob{*std::move(pattern), std::move(job)});
+    job::Job job = job::planJob(pattern, settings.recipe, settings.machine);
+    result.emplace(PlannedJob{std::move(pattern), std::move(job)});
   }
   if (interrupted()) {
     return tl::unexpected(ExitStatus::Interrupted);

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace arris::app {
 
@@ -31,7 +32,11 @@ struct PlannedJob {
   job::Job job;
 };
 
-/// Reads a pattern and plans it; problems are told.
+/// Plans the pattern in the bytes of a file; problems are told.
+[[nodiscard]] OrStatus<PlannedJob> planJobIn(std::string_view bytes, const std::filesystem::path& file,
+                                             const Settings& settings);
+
+/// Reads the file first.
 [[nodiscard]] OrStatus<PlannedJob> planJobOf(const std::filesystem::path& file, const Settings& settings);
 
 /// Every output that the job allows; a failure of one does not hold up the others. Where there is the `record` of a

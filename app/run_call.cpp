@@ -5,6 +5,7 @@
 #include "app/messages.h"
 #include "core/files/file_hash.h"
 #include "core/files/resume_point.h"
+#include "core/files/run_record.h"
 
 #include <QCoreApplication>
 #include <QStandardPaths>
@@ -30,6 +31,7 @@ struct RunRequest {
   double overridePercent = 100;
   std::vector<std::string> injections;
   bool resumes = false;
+  int count = 1;
   fs::path stateFolder;
 };
 
@@ -50,7 +52,14 @@ void addRunOptions(CLI::App& call, RunRequest& request) {
   call.add_option("--inject", request.injections, "A fault of the simulated machine at a time of the run, repeatable")
       ->type_name("FAULT@SECONDS")
       ->group(group);
-  call.add_flag("--resume", request.resumes, "Go on where the last job was broken off, with its recipe and machine")
+  CLI::Option* const resume =
+      call.add_flag("--resume", request.resumes,
+                    "Go on where the last job was broken off, with its recipe, machine and panes")
+          ->group(group);
+  call.add_option("--count", request.count, "So many panes, one after the other")
+      ->check(CLI::Range(1, files::kMostPanes))
+      ->type_name("NUMBER")
+      ->excludes(resume)
       ->group(group);
   call.add_option("--state-dir", request.stateFolder, "Folder of records, alarms and the resume point")
       ->type_name("DIR")
@@ -88,25 +97,23 @@ OrStatus<std::vector<Injection>> injectionsOf(const std::vector<std::string>& te
   return result;
 }
 
-/// The place where the job of this pattern was broken off; recipe and machine become those of that job.
-OrStatus<program::JobPlace> resumePlace(const fs::path& file, const std::string& patternHash, Settings& settings) {
+/// Where the job of this pattern was broken off.
+OrStatus<files::ResumePoint> resumePoint(const fs::path& file, const std::string& patternHash) {
   const auto text = load(file);
   if (!text) {
     complain("there is no job to resume");
     return tl::unexpected(text.error());
   }
-  const auto read = files::readResumePoint(*text, file.string());
+  auto read = files::readResumePoint(*text, file.string());
   if (const ExitStatus status = tellAndJudge(read.problems); status != ExitStatus::Done) {
     return tl::unexpected(status);
   }
-  const files::ResumePoint& point = read.value;
-  if (point.patternHash != patternHash) {
+  if (read.value.patternHash != patternHash) {
     complain(fmt::format("the job that was broken off is of another pattern or an earlier state of it: {}",
-                         point.patternFile));
+                         read.value.patternFile));
     return tl::unexpected(ExitStatus::WrongUsage);
   }
-  settings = {point.recipe, point.machine};
-  return point.place;
+  return std::move(read.value);
 }
 
 } // namespace
@@ -150,15 +157,18 @@ ExitStatus runJob(const Arguments& arguments) {
   run.isFast = runRequest.speed == "fast";
   run.overrideFactor = runRequest.overridePercent / 100;
   run.injections = *injections;
+  run.panes.ordered = runRequest.count;
   if (runRequest.resumes) {
-    const auto place = resumePlace(run.folder.resumePoint(), run.patternHash, *settings);
-    if (!place) {
-      return place.error();
+    const auto point = resumePoint(run.folder.resumePoint(), run.patternHash);
+    if (!point) {
+      return point.error();
     }
-    run.from = *place;
+    *settings = {point->recipe, point->machine};
+    run.from = point->place;
+    run.panes = {point->pane, point->panes};
   }
   watchForInterruption();
-  auto planned = planJobOf(request.pattern, *settings);
+  auto planned = planJobIn(*bytes, request.pattern, *settings);
   if (!planned) {
     return planned.error();
   }

@@ -7,7 +7,7 @@ namespace arris::control {
 
 namespace {
 
-/// Places of set-points that are remembered for the following error; a power of two above every lead in periods.
+/// Periods whose set-points and places are remembered; a power of two above every lead in periods.
 constexpr std::size_t kHistory = 4096;
 
 /// Jog and homing use this share of the machine's accelerations: a hand on a button needs no haste.
@@ -18,7 +18,7 @@ constexpr double kByHandShare = 0.2;
 Controller::Controller(const recipe::Machine& machine, Channels& channels)
     : m_machine(machine), m_channels(channels), m_period(machine.period),
       m_lead(std::max(1, static_cast<int>(std::lround(machine.setPointLead / machine.period)))), m_history(kHistory),
-      m_homing(machine) {
+      m_places(kHistory), m_homing(machine) {
   for (int axis = 0; axis < kAxes; ++axis) {
     m_ramps[static_cast<std::size_t>(axis)] = AxisRamp(kByHandShare * machine.maxAccel[axis], m_period);
     m_most[axis] = kByHandShare * machine.maxAccel[axis];
@@ -40,9 +40,11 @@ const Cycle& Controller::advance(const Feedback& feedback) {
   move();
   const Eigen::Vector3d setPoint = m_report.commanded + m_origin - m_offset;
   if (isConsistent(setPoint)) {
+    m_movedTick = setPoint == m_cycle.setPoint ? m_movedTick : m_tick;
     m_cycle.setPoint = setPoint;
   }
   m_history[static_cast<std::size_t>(m_tick) & (kHistory - 1)] = m_cycle.setPoint;
+  m_places[static_cast<std::size_t>(m_tick) & (kHistory - 1)] = m_report.place;
   tell();
   m_lastInputs = feedback.inputs;
   return m_cycle;
@@ -50,6 +52,7 @@ const Cycle& Controller::advance(const Feedback& feedback) {
 
 // Stop beats start.
 void Controller::takeButtons() {
+  m_jogEnabled = m_feedback.inputs.jogEnable && (m_jogEnabled || !m_lastInputs.jogEnable);
   const auto pressed = [this](bool Inputs::*button) { return m_feedback.inputs.*button && !(m_lastInputs.*button); };
   if (pressed(&Inputs::stop)) {
     handle(Event::Stop);
@@ -168,8 +171,9 @@ bool Controller::mayFollow(Event event) const {
   case Event::Enable:
     return !m_feedback.inputs.emergencyStop && !m_faults.any();
   case Event::Home:
-  case Event::Jog:
     return drivesReady();
+  case Event::Jog:
+    return drivesReady() && mayJog();
   case Event::Start:
     return isReady && !isHeldBack && m_program.kind == Kind::Job && !m_path && m_aside != Aside::BackingOff;
   case Event::Step:
@@ -290,6 +294,7 @@ void Controller::load(const ProgramHeader& header) {
   }
   m_program = header;
   m_report.place = header.place.segment >= 0 ? header.place : m_report.place;
+  m_loadedTick = m_tick;
   m_window.begin(header.number);
   m_path.reset();
   for (int axis = 0; axis < kAxes; ++axis) {
@@ -301,6 +306,8 @@ void Controller::load(const ProgramHeader& header) {
 }
 
 void Controller::forgetProgram() {
+  m_report.place = m_reachedPlace.value_or(m_report.place);
+  m_reachedPlace.reset();
   m_program = {};
   m_window.begin(0);
   m_path.reset();
@@ -318,13 +325,17 @@ void Controller::beginRamps() {
   m_rampsMove = true;
 }
 
+bool Controller::mayJog() const {
+  return m_jogEnabled || !m_machine.jogEnableRequired;
+}
+
 void Controller::jog(const Eigen::Vector3d& velocity) {
   const bool isNew = m_state != State::Jogging;
   if (!velocity.allFinite() || (isNew && velocity.isZero())) {
     return;
   }
   handle(Event::Jog);
-  if (m_state == State::Jogging) {
+  if (m_state == State::Jogging && mayJog()) {
     const double most = (m_homed ? m_machine.jogSpeed : std::min(m_machine.jogSpeed, m_machine.homeSearch)) / 60;
     m_jogVelocity = velocity.cwiseMax(-most).cwiseMin(most);
     m_jogsToTarget = false;

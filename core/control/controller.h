@@ -50,15 +50,18 @@ private:
   void forgetProgram();
   void jog(const Eigen::Vector3d& velocity);
   void jogBy(const Eigen::Vector3d& way);
+  [[nodiscard]] bool mayJog() const;
   void beginRamps();
   void tell();
 
   // What may go wrong (controller_watch.cpp)
   void watch();
   void watchInputs();
+  [[nodiscard]] bool hitsLimit(std::size_t axis) const;
   void watchFeedback();
   void watchServices();
   void raise(Fault fault, int axis = -1, double value = 0);
+  void keepReachedPlace();
   [[nodiscard]] bool isConsistent(const Eigen::Vector3d& setPoint);
   [[nodiscard]] bool drivesReady() const;
 
@@ -102,12 +105,14 @@ private:
 
   // Places
   bool m_homed = false;
-  Eigen::Vector3d m_offset{0, 0, 0};      ///< machine minus encoder coordinates
-  Eigen::Vector3d m_origin{0, 0, 0};      ///< G54
-  std::vector<Eigen::Vector3d> m_history; ///< set-points by tick, a ring
-  Eigen::Vector3d m_velocity{0, 0, 0};    ///< of the last set-point by difference, mm/s, for the guard
-  int m_guarded = 0;                      ///< set-points since the last break
-  Eigen::Vector3d m_most{0, 0, 0};        ///< accelerations of what moves, mm/s²
+  Eigen::Vector3d m_offset{0, 0, 0};       ///< machine minus encoder coordinates
+  Eigen::Vector3d m_origin{0, 0, 0};       ///< G54
+  std::vector<Eigen::Vector3d> m_history;  ///< set-points by tick, a ring
+  std::vector<program::JobPlace> m_places; ///< on the job's way by tick, a ring
+  Eigen::Vector3d m_velocity{0, 0, 0};     ///< of the last set-point by difference, mm/s, for the guard
+  int m_guarded = 0;                       ///< set-points since the last break
+  std::int64_t m_movedTick = 0;            ///< of the last set-point that differed from the one before
+  Eigen::Vector3d m_most{0, 0, 0};         ///< accelerations of what moves, mm/s²
   std::int64_t m_underruns = 0;
   std::int64_t m_freshTick = 0; ///< when the feedback's tick last changed
   std::int64_t m_readyTick = 0; ///< when the drives became ready
@@ -124,6 +129,8 @@ private:
   double m_override = 1;
   bool m_runs = false; ///< the run's time goes on
   bool m_holdStep = false;
+  std::int64_t m_loadedTick = 0;
+  std::optional<program::JobPlace> m_reachedPlace; ///< when the axes ceased to follow; the run is broken off there
 
   // Beside the path
   motion::Segment m_shortSegment;
@@ -142,6 +149,7 @@ private:
   Eigen::Vector3d m_jogVelocity{0, 0, 0};
   Eigen::Vector3d m_jogTarget{0, 0, 0};
   bool m_jogsToTarget = false;
+  bool m_jogEnabled = false; ///< by a fresh press of the panel's jog enable that still lasts
   bool m_rampsMove = false;
   std::int64_t m_jogTick = 0;
   std::int64_t m_operatorTick = 0;

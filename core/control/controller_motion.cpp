@@ -321,6 +321,9 @@ void Controller::moveStopping() {
     raiseWheel();
     return;
   }
+  if (m_cutDrives && m_feedback.tick < m_movedTick) { // the axes are the lead behind: they are still being braked
+    return;
+  }
   handle(Event::AtRest);
 }
 
@@ -347,6 +350,10 @@ void Controller::moveHoming() {
 // Also brakes what homing had set in motion.
 void Controller::moveJogging() {
   const bool isStopping = m_state != State::Jogging;
+  if (!mayJog()) { // as if it were no longer said
+    m_jogVelocity.setZero();
+    m_jogsToTarget = false;
+  }
   const bool isLeft = static_cast<double>(m_tick - m_jogTick) * m_period > kJogConfirm;
   bool atRest = true;
   const double fastest = (m_homed ? m_machine.jogSpeed : std::min(m_machine.jogSpeed, m_machine.homeSearch)) / 60;
@@ -357,13 +364,19 @@ void Controller::moveJogging() {
     const double least = m_homed ? -m_offset[axis] : -std::numeric_limits<double>::infinity();
     const double most = m_homed ? m_machine.travel[axis] - m_offset[axis] : std::numeric_limits<double>::infinity();
     const auto i = static_cast<std::size_t>(axis);
-    const double back = m_feedback.inputs.limitHigh[i] ? 0 : fastest; // off a limit switch only
-    const double forth = m_feedback.inputs.limitLow[i] ? 0 : fastest;
+    const double up = m_feedback.inputs.limitHigh[i] ? 0 : fastest; // off a limit switch only
+    const double down = m_feedback.inputs.limitLow[i] ? 0 : fastest;
     if (m_jogsToTarget && !isStopping) {
-      ramp.to(m_jogTarget[axis], fastest);
+      const double way = m_jogTarget[axis] - ramp.position();
+      if ((way > 0 ? up : down) > 0) {
+        ramp.to(m_jogTarget[axis], fastest);
+      } else { // it stays where it comes to rest
+        ramp.towards(0, least, most);
+        m_jogTarget[axis] = ramp.velocity() == 0 ? ramp.position() : m_jogTarget[axis];
+      }
       atRest = atRest && ramp.position() == m_jogTarget[axis];
     } else {
-      ramp.towards(isStopping || isLeft ? 0 : std::clamp(m_jogVelocity[axis], -forth, back), least, most);
+      ramp.towards(isStopping || isLeft ? 0 : std::clamp(m_jogVelocity[axis], -down, up), least, most);
       atRest = atRest && (isStopping || isLeft || m_jogVelocity.isZero());
     }
     atRest = atRest && ramp.velocity() == 0;

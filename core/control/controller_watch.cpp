@@ -38,6 +38,9 @@ void Controller::raise(Fault fault, int axis, double value) {
   static_cast<void>(m_channels.faults.push({m_tick, fault, axis, value}));
   const FaultInfo& row = info(fault);
   m_homed = m_homed && !row.losesPlace;
+  if (row.category != StopCategory::Two || fault == Fault::FeedbackLate) {
+    keepReachedPlace();
+  }
   if (fault == Fault::EmergencyStop) {
     handle(Event::EmergencyStop);
   } else if (row.category == StopCategory::Zero) {
@@ -47,6 +50,16 @@ void Controller::raise(Fault fault, int axis, double value) {
     m_cutDrives = m_cutDrives || row.category == StopCategory::One;
     m_raise = (m_raise || row.raises) && !m_cutDrives;
     handle(Event::Fault);
+  }
+}
+
+// Axes whose drives go off, or may not be able to hold them, do not follow what is still under way to them: what they
+// have not reached, or not told that they have, is to be ground when the job is resumed.
+void Controller::keepReachedPlace() {
+  const auto size = static_cast<std::int64_t>(m_places.size());
+  const std::int64_t reached = std::max(m_feedback.tick, m_loadedTick);
+  if (m_program.number != 0 && !m_reachedPlace && reached < m_tick && m_tick - reached < size) {
+    m_reachedPlace = m_places[static_cast<std::size_t>(reached) & (m_places.size() - 1)];
   }
 }
 
@@ -82,9 +95,7 @@ void Controller::watchInputs() {
     if (inputs.driveFault[i]) {
       raise(Fault::DriveFault, axis);
     }
-    const bool hits =
-        (inputs.limitLow[i] && !m_lastInputs.limitLow[i]) || (inputs.limitHigh[i] && !m_lastInputs.limitHigh[i]);
-    if (hits) {
+    if (hitsLimit(i)) {
       raise(Fault::LimitSwitch, axis);
     }
     allReady = allReady && inputs.driveReady[i];
@@ -98,6 +109,15 @@ void Controller::watchInputs() {
     m_readyTick = m_tick;
     m_guarded = 0;
   }
+}
+
+// One that is on from power-up or since an earlier fault is hit where the axis is moved farther; jog does not do that.
+bool Controller::hitsLimit(std::size_t axis) const {
+  const Inputs& now = m_feedback.inputs;
+  const double speed = m_state == State::Jogging ? 0 : m_report.velocity[static_cast<int>(axis)];
+  const bool low = now.limitLow[axis] && (!m_lastInputs.limitLow[axis] || speed < 0);
+  const bool high = now.limitHigh[axis] && (!m_lastInputs.limitHigh[axis] || speed > 0);
+  return low || high;
 }
 
 void Controller::watchFeedback() {

@@ -2,22 +2,39 @@
 
 #include "core/files/alarm_log.h"
 #include "core/files/record_folder.h"
+#include "core/files/whole_file.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace arris::control {
 
+namespace {
+
+base::Expected<void> tryToWriteIn(const std::filesystem::path& folder) {
+  const std::filesystem::path trial = folder / ".trial";
+  const auto written = files::writeWholeFile(trial, "");
+  std::error_code ignored;
+  std::filesystem::remove(trial, ignored);
+  return written;
+}
+
+} // namespace
+
 RunKeeper::RunKeeper(StateFolder folder, std::shared_ptr<const job::Job> job, std::string patternFile,
-                     std::string patternHash, std::function<std::string()> wallClock)
+                     std::string patternHash, std::function<std::string()> wallClock, const PaneOrder& panes)
     : m_folder(std::move(folder)), m_job(std::move(job)), m_patternFile(std::move(patternFile)),
-      m_patternHash(std::move(patternHash)), m_wallClock(std::move(wallClock)), m_resumePoint(m_folder.resumePoint()) {
+      m_patternHash(std::move(patternHash)), m_wallClock(std::move(wallClock)), m_resumePoint(m_folder.resumePoint()),
+      m_pane(panes.first - 1), m_panesOrdered(panes.ordered) {
   std::error_code failure;
   std::filesystem::create_directories(m_folder.records(), failure);
   if (failure) {
     m_problems.push_back(
         base::Problem(base::Code::CannotWrite, {{"file", m_folder.records().string()}, {"reason", failure.message()}}));
+    return;
   }
+  keep(tryToWriteIn(m_folder.root));
+  keep(tryToWriteIn(m_folder.records()));
 }
 
 RunKeeper::~RunKeeper() {
@@ -163,7 +180,7 @@ void RunKeeper::keepPlace(const Report& report, files::Ended ended) {
   point.contour = report.contour;
   point.time = static_cast<double>(std::max<std::int64_t>(0, report.runTick)) * m_job->machine.period;
   point.pane = m_pane;
-  point.panes = m_pane;
+  point.panes = std::max(m_pane, m_panesOrdered);
   point.ended = ended;
   m_resumePoint.write(files::writeResumePoint(point));
 }

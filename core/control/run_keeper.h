@@ -32,13 +32,20 @@ struct StateFolder {
 /// The resume point is written so often, s of the run.
 inline constexpr double kResumeEvery = 0.2;
 
+/// The panes that are to be ground: the first of these runs, of so many ordered.
+struct PaneOrder {
+  int first = 1;
+  int ordered = 1;
+};
+
 /// Keeps what the runs of one job leave: a record each, the point to resume from, the alarms. Hears of every report and
 /// fault on the operator's side.
 class RunKeeper {
 public:
-  /// `wallClock` gives the present time, ISO 8601. Folders that are absent are made.
+  /// `wallClock` gives the present time, ISO 8601. Folders that are absent are made; one in which nothing can be
+  /// written is a problem from the first.
   RunKeeper(StateFolder folder, std::shared_ptr<const job::Job> job, std::string patternFile, std::string patternHash,
-            std::function<std::string()> wallClock);
+            std::function<std::string()> wallClock, const PaneOrder& panes = {});
 
   /// Writes what waits; a run that still goes on stays resumable.
   ~RunKeeper();
@@ -47,6 +54,12 @@ public:
 
   void add(const Report& report);
   void add(const FaultReport& fault);
+
+  /// Nothing is left of the pane that was broken off: there is no more to resume.
+  void nothingLeft() {
+    ++m_pane;
+    m_resumePoint.remove();
+  }
 
   /// Everything of the run that has ended is in its record.
   void finish();
@@ -79,7 +92,8 @@ private:
   std::int64_t m_lastKept = 0;   ///< tick of the last resume point
   std::int64_t m_endTick = -1;   ///< of the last row of a run that has ended
   std::int64_t m_jobsBefore = 0; ///< jobs ended when the run began
-  int m_pane = 0;
+  int m_pane;                    ///< of the present or the last run
+  int m_panesOrdered;
   base::Problems m_problems;
 };
 

@@ -118,6 +118,8 @@ bool setMachine(Machine& machine, std::string_view key, const Json& value, Probl
     set.number(machine.*number->member, key, number->unit, value);
   } else if (const auto* axes = find(recipe::machineAxesFields(), key)) {
     set.numbers<3>(machine.*axes->member, key, axes->unit, "[x, y, z]", value);
+  } else if (const auto* flag = find(recipe::machineFlagFields(), key)) {
+    set.flag(machine.*flag->member, key, value);
   } else {
     return false;
   }
@@ -196,6 +198,9 @@ void writeMembers(JsonWriter& json, const Machine& machine) {
     json.member(field.key, std::span<const double>(axes.data(), 3));
   }
   for (const auto& field : recipe::machineNumberFields()) {
+    json.member(field.key, machine.*field.member);
+  }
+  for (const auto& field : recipe::machineFlagFields()) {
     json.member(field.key, machine.*field.member);
   }
 }

@@ -173,6 +173,14 @@ std::span<const MachineAxesField> machineAxesFields() {
   return kFields;
 }
 
+std::span<const MachineFlagField> machineFlagFields() {
+  static constexpr std::array kFields = {
+      MachineFlagField{"jog_enable_required", "Jog only while the panel's jog enable is held",
+                       &Machine::jogEnableRequired},
+  };
+  return kFields;
+}
+
 std::optional<Problem> checkRange(std::string_view name, double value, double least, double most,
                                   std::string_view unit) {
   if (auto problem = checkFinite(name, value, unit)) {

@@ -84,8 +84,16 @@ struct MachineAxesField {
   double most;
 };
 
+/// Yes or no of the machine.
+struct MachineFlagField {
+  std::string_view key;
+  std::string_view what;
+  bool Machine::*member;
+};
+
 [[nodiscard]] std::span<const MachineNumberField> machineNumberFields();
 [[nodiscard]] std::span<const MachineAxesField> machineAxesFields();
+[[nodiscard]] std::span<const MachineFlagField> machineFlagFields();
 
 /// An error for a value that is not finite or outside its range: it names the field, value, unit and range.
 [[nodiscard]] std::optional<base::Problem> checkRange(std::string_view name, double value, double least, double most,

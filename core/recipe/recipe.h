@@ -79,6 +79,7 @@ struct Machine {
   double backOff = 5;                ///< mm along the normal, when the wheel stands turning on the glass
   double backOffAfter = 2;           ///< s at rest
   double spindleWait = 15;           ///< s, for the spindle to reach its speed and the coolant to flow
+  bool jogEnableRequired = false;    ///< jog only while the panel's jog enable is held
 
   bool operator==(const Machine&) const = default;
 };

@@ -2,10 +2,12 @@
 #include "tests/support/scratch.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <thread>
 
 namespace arris::test {
 namespace {
@@ -93,6 +95,56 @@ TEST(Run, DoesNotBeginWhereItsFolderCannotBe) {
   EXPECT_THAT(outcome.out, IsEmpty());
 }
 
+TEST(Run, DoesNotBeginWhereNothingCanBeWrittenInItsFolder) {
+  const Scratch scratch;
+  fs::create_directory(scratch / "state");
+  fs::create_directory_symlink("/proc/self", scratch / "state/records"); // there, but not for files
+  const Outcome outcome = arris(fastRun(scratch));
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("state/records"));
+  EXPECT_THAT(outcome.out, IsEmpty());
+}
+
+TEST(Run, ReadsThePatternOnce) {
+  const Scratch scratch;
+  const std::string pattern = (scratch / "once.dxf").string();
+  ASSERT_EQ(mkfifo(pattern.c_str(), 0600), 0); // what was read from it is gone
+  std::thread writer([&] { writeTo(pattern, contentOf(sample("triangle.dxf"))); });
+  const Outcome outcome = arris({"run", pattern, "--speed", "fast", "--state-dir", (scratch / "state").string()});
+  writer.join();
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+TEST(Run, OfSeveralPanesGrindsOneAfterTheOtherAlsoWhenResumed) {
+  const Scratch scratch;
+  const Outcome broken = arris(fastRun(scratch, {"--count", "2", "--inject", "spindle-loss@60"}));
+  EXPECT_EQ(broken.status, 3);
+  const std::string point = contentOf((scratch / "state/resume.json").string());
+  EXPECT_THAT(point, AllOf(HasSubstr("\"pane\": 1,"), HasSubstr("\"panes\": 2,")));
+  const Outcome resumed = arris(fastRun(scratch, {"--resume"}));
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_THAT(resumed.out, AllOf(HasSubstr("Pane 1 of 2: Ground in"), HasSubstr("Pane 2 of 2: Ground in")));
+  EXPECT_FALSE(fs::exists(scratch / "state/resume.json"));
+  EXPECT_EQ(recordsIn(scratch), 3U);
+  EXPECT_EQ(arris(fastRun(scratch, {"--resume", "--count", "2"})).status, 2);
+}
+
+TEST(Run, ThatWasBrokenOffAtItsVeryEndHasNothingLeftToResume) {
+  const Scratch scratch;
+  const Outcome whole = arris(fastRun(scratch));
+  const std::size_t at = whole.out.find("Ground in ");
+  ASSERT_NE(at, std::string::npos);
+  const double seconds = std::stod(whole.out.substr(at + 10));
+  const std::string fault = "emergency-stop@" + std::to_string(seconds - 0.2);
+  EXPECT_EQ(arris(fastRun(scratch, {"--inject", fault})).status, 3);
+  EXPECT_TRUE(fs::exists(scratch / "state/resume.json"));
+  const Outcome resumed = arris(fastRun(scratch, {"--resume"}));
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_THAT(resumed.out, HasSubstr("Nothing was left"));
+  EXPECT_FALSE(fs::exists(scratch / "state/resume.json"));
+  EXPECT_EQ(recordsIn(scratch), 2U);
+}
+
 TEST(Run, RefusesWrongValuesByName) {
   const Scratch scratch;
   for (const auto& [option, value] : std::initializer_list<std::pair<const char*, const char*>>{
@@ -100,6 +152,8 @@ TEST(Run, RefusesWrongValuesByName) {
            {"--override", "151"},
            {"--override", "fast"},
            {"--speed", "slow"},
+           {"--count", "0"},
+           {"--count", "2.5"},
            {"--axes", "mine"},
            {"--inject", "coolant-loss"},
            {"--inject", "coolant-loss@"},

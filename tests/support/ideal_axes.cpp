@@ -33,8 +33,10 @@ bool IdealAxes::write(const Eigen::Vector3d& setPoint, const control::Outputs& o
   m_outputs = outputs;
   m_queue.push_back(setPoint);
   if (static_cast<int>(m_queue.size()) > m_lead) {
-    if (m_outputs.driveEnable[0]) { // without drives they stay where they are
-      m_feedback.position = m_queue.front();
+    for (std::size_t i = 0; i < control::kAxes; ++i) {
+      if (m_outputs.driveEnable[i] && drivesWork && !inputs.driveFault[i]) { // without drives they stay where they are
+        m_feedback.position[static_cast<int>(i)] = m_queue.front()[static_cast<int>(i)];
+      }
     }
     m_queue.pop_front();
     ++m_feedback.tick;

@@ -7,9 +7,9 @@
 
 namespace arris::test {
 
-/// Axes that are where their set-points say, the lead later, with spindle and coolant that are there at once: for tests
-/// of the controller alone. Tests set what they want to go wrong in `inputs`; reference switches, drives ready, spindle
-/// and coolant are added.
+/// Axes that are where their set-points say, the lead later, as long as their drives work, with spindle and coolant
+/// that are there at once: for tests of the controller alone. Tests set what they want to go wrong in `inputs`;
+/// reference switches, drives ready, spindle and coolant are added.
 class IdealAxes : public control::AxisDriver {
 public:
   /// `standsAt`: table coordinates at power-up, where the encoders read 0.

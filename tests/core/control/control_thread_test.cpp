@@ -7,33 +7,39 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <thread>
 
 namespace arris::control {
 namespace {
 
-/// Simulated axes that remember the last outputs.
+/// Simulated axes that remember the last outputs, and can stop taking set-points as a driver does that hangs.
 class WatchedAxes final : public AxisDriver {
 public:
   explicit WatchedAxes(const recipe::Machine& machine) : m_axes(machine, Pace::Real, {0, 0, 120}) {}
 
   Feedback read() override {
-    return m_axes.read();
+    m_told = stalls ? m_told : m_axes.read();
+    return m_told;
   }
 
   bool write(const Eigen::Vector3d& setPoint, const Outputs& outputs) override {
     last = outputs;
-    return m_axes.write(setPoint, outputs);
+    return !stalls && m_axes.write(setPoint, outputs);
   }
 
   int queued() override {
-    return m_axes.queued();
+    m_queued = stalls ? m_queued : m_axes.queued();
+    return m_queued;
   }
 
   Outputs last; ///< of the thread; to be read once it has ended
+  std::atomic<bool> stalls = false;
 
 private:
+  Feedback m_told;
+  int m_queued = 0;
   SimulatedAxes m_axes;
 };
 
@@ -86,6 +92,32 @@ TEST(ControlThread, RunsTheControllerBesideABusyOperatorAndSwitchesTheDrivesOffH
   }
   EXPECT_TRUE(inOrder) << "a report was lost or came twice";
   EXPECT_EQ(axes.last, Outputs{});
+}
+
+TEST(ControlThread, SeesAxesThatTakeNoMoreSetPointsAndTakesTheDrivesPower) {
+  recipe::Machine machine;
+  machine.setPointLead = 0.2;
+  Channels channels;
+  Controller controller(machine, channels);
+  WatchedAxes axes(machine);
+  Supervisor supervisor(machine, channels);
+  const ControlThread thread(controller, axes, machine.period);
+  const auto serveUntil = [&](auto isSo) {
+    while (!isSo(supervisor.latest())) {
+      supervisor.serve();
+      pause();
+    }
+  };
+  serveUntil([](const Report& report) { return report.tick > 0; });
+  ASSERT_TRUE(supervisor.enable());
+  serveUntil([](const Report& report) { return report.drivesReady; });
+  ASSERT_TRUE(supervisor.home());
+  serveUntil([](const Report& report) { return report.velocity.z() != 0; });
+  axes.stalls = true;
+  serveUntil([](const Report& report) { return report.faults.has(Fault::FeedbackLost); });
+  EXPECT_EQ(supervisor.latest().state, State::Faulted);
+  EXPECT_FALSE(supervisor.latest().outputs.driveEnable[2]);
+  EXPECT_FALSE(supervisor.latest().homed);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "tests/support/bench.h"
+#include "tests/support/mishaps.h"
 #include "tests/support/panes.h"
 #include "tests/support/random_panes.h"
 #include "tests/support/run_watch.h"
@@ -10,7 +11,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <random>
 
 namespace arris::control {
@@ -19,40 +19,10 @@ namespace {
 using test::Bench;
 using test::RunWatch;
 
-struct Mishap {
-  Fault fault;
-  std::function<void(Bench&)> begins;
-  std::function<void(Bench&)> isMended;
-};
-
-std::vector<Mishap> mishaps() {
-  const auto input = [](auto set) {
-    return std::pair(std::function([set](Bench& b) { set(b.ideal->inputs, true); }),
-                     std::function([set](Bench& b) { set(b.ideal->inputs, false); }));
-  };
-  const auto of = [&](Fault fault, auto set) {
-    auto [begins, isMended] = input(set);
-    return Mishap{fault, begins, isMended};
-  };
-  return {
-      of(Fault::EmergencyStop, [](Inputs& in, bool on) { in.emergencyStop = on; }),
-      of(Fault::EncoderLost, [](Inputs& in, bool on) { in.encoderLost[1] = on; }),
-      of(Fault::DriveFault, [](Inputs& in, bool on) { in.driveFault[0] = on; }),
-      of(Fault::LimitSwitch, [](Inputs& in, bool on) { in.limitHigh[1] = on; }),
-      of(Fault::VacuumLost, [](Inputs& in, bool on) { in.vacuumHolds = !on; }),
-      {Fault::SpindleLost, [](Bench& b) { b.ideal->spindleWorks = false; },
-       [](Bench& b) { b.ideal->spindleWorks = true; }},
-      {Fault::CoolantLost, [](Bench& b) { b.ideal->coolantWorks = false; },
-       [](Bench& b) { b.ideal->coolantWorks = true; }},
-      {Fault::OperatorLost, [](Bench& b) { b.operatorLives = false; }, [](Bench& b) { b.operatorLives = true; }},
-      {Fault::FeedbackLost, [](Bench& b) { b.ideal->answers = false; }, [](Bench& b) { b.ideal->answers = true; }},
-  };
-}
-
 class FaultsOfARun : public testing::TestWithParam<int> {};
 
 TEST_P(FaultsOfARun, EndAtRestAsTheirCategorySaysAndTheJobIsResumedWhereItWas) {
-  const Mishap mishap = mishaps()[static_cast<std::size_t>(GetParam())];
+  const test::Mishap mishap = test::mishaps()[static_cast<std::size_t>(GetParam())];
   const FaultInfo& row = info(mishap.fault);
   std::mt19937 dice(static_cast<unsigned>(GetParam()));
   const job::Job job = job::planJob(test::triangle600(), recipe::Recipe{}, recipe::Machine{});
@@ -104,7 +74,7 @@ TEST_P(FaultsOfARun, EndAtRestAsTheirCategorySaysAndTheJobIsResumedWhereItWas) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, FaultsOfARun, testing::Range(0, static_cast<int>(mishaps().size())));
+INSTANTIATE_TEST_SUITE_P(Every, FaultsOfARun, testing::Range(0, static_cast<int>(test::mishaps().size())));
 
 /// A pane of 20,000 chords, none of them fitted: more segments than the controller keeps.
 job::Job longJob() {

@@ -114,6 +114,121 @@ TEST(Jog, ByStepsEndsExactlyThere) {
   EXPECT_LT((bench.report().commanded - from - Eigen::Vector3d(10, 0.001, -100)).norm(), 1e-9);
 }
 
+TEST(JogEnable, WhereItIsRequiredIsHeldAllTheWhileAndFreshlyPressed) {
+  recipe::Machine machine;
+  machine.jogEnableRequired = true;
+  Bench bench{machine};
+  const job::Job job = triangleJob();
+  RunWatch watch(job, machine);
+  bench.onPeriod = [&](const Report& report, const Cycle& cycle) { watch.add(report, cycle); };
+  bench.ideal->inputs.jogEnable = true; // stuck at power-up
+  switchOn(bench);
+  home(bench);
+  const auto order = [&](bool toPlace) {
+    toPlace ? bench.supervisor.jogBy({50, 0, 0}) : bench.supervisor.jogAt({30, 0, 0});
+    bench.runFor(0.15);
+    bench.supervisor.serve();
+    return bench.report().state == State::Jogging;
+  };
+  EXPECT_FALSE(order(false));
+  bench.ideal->inputs.jogEnable = false;
+  EXPECT_FALSE(order(true));
+  for (const bool toPlace : {false, true}) {
+    SCOPED_TRACE(toPlace);
+    bench.ideal->inputs.jogEnable = true;
+    bench.runFor(0.05);
+    ASSERT_TRUE(order(toPlace));
+    EXPECT_GT(bench.report().velocity.x(), 5);
+    bench.ideal->inputs.jogEnable = false;
+    bench.period();
+    EXPECT_FALSE(order(toPlace)) << "it brakes, whatever is said";
+    EXPECT_EQ(bench.report().state, State::Idle);
+    bench.runFor(1);
+    EXPECT_EQ(bench.report().state, State::Idle);
+  }
+  EXPECT_EQ(watch.broken(), "");
+  EXPECT_TRUE(bench.faults.empty());
+}
+
+TEST(LimitSwitch, ThatIsOnSincePowerUpLetsTheAxisBeJoggedOffItOnly) {
+  Bench bench{recipe::Machine{}};
+  bench.ideal->inputs.limitHigh[0] = true;
+  bench.ideal->inputs.limitLow[1] = true;
+  switchOn(bench);
+  EXPECT_EQ(bench.report().state, State::NotHomed);
+  const auto jogged = [&](const Eigen::Vector3d& by, bool toPlace) -> Eigen::Vector3d {
+    const Eigen::Vector3d from = bench.report().commanded;
+    EXPECT_TRUE(toPlace ? bench.supervisor.jogBy(by) : bench.supervisor.jogAt(by));
+    bench.runFor(0.05);
+    EXPECT_TRUE(bench.until(State::NotHomed, 10));
+    return bench.report().commanded - from;
+  };
+  EXPECT_EQ(jogged({5, -5, 0}, true), Eigen::Vector3d::Zero());
+  EXPECT_EQ(jogged({5, -5, 0}, false), Eigen::Vector3d::Zero());
+  EXPECT_LT((jogged({5, 5, 0}, true) - Eigen::Vector3d(0, 5, 0)).norm(), 1e-9);
+  EXPECT_LT((jogged({-5, 5, 1}, true) - Eigen::Vector3d(-5, 5, 1)).norm(), 1e-9);
+  EXPECT_LT(jogged({-5, 5, 1}, false).x(), 0);
+  EXPECT_TRUE(bench.faults.empty());
+}
+
+TEST(LimitSwitch, ThatComesOnDuringAJogByStepsEndsItAndTheAxisIsJoggedBack) {
+  Bench bench{recipe::Machine{}};
+  switchOn(bench);
+  ASSERT_TRUE(bench.supervisor.jogBy({0, 100, 0}));
+  bench.runFor(1);
+  bench.ideal->inputs.limitHigh[1] = true;
+  ASSERT_TRUE(bench.until(State::Faulted, 2));
+  EXPECT_TRUE(bench.report().faults.has(Fault::LimitSwitch));
+  bench.supervisor.serve();
+  ASSERT_TRUE(bench.supervisor.acknowledge());
+  ASSERT_TRUE(bench.until(State::Off, 1));
+  ASSERT_TRUE(bench.supervisor.enable());
+  ASSERT_TRUE(bench.until([&] { return bench.report().drivesReady; }, 2));
+  const double from = bench.report().commanded.y();
+  ASSERT_TRUE(bench.supervisor.jogBy({0, -3, 0}));
+  ASSERT_TRUE(bench.until(State::Jogging, 1));
+  ASSERT_TRUE(bench.until(State::NotHomed, 10));
+  EXPECT_NEAR(bench.report().commanded.y(), from - 3, 1e-9);
+  EXPECT_EQ(bench.faults.size(), 1U);
+}
+
+TEST(LimitSwitch, ThatIsOnIsHomedOffButNotRunInto) {
+  const recipe::Machine machine; // X is homed towards its low end
+  for (const bool high : {true, false}) {
+    Bench bench{machine};
+    (high ? bench.ideal->inputs.limitHigh : bench.ideal->inputs.limitLow)[0] = true;
+    switchOn(bench);
+    ASSERT_TRUE(bench.supervisor.home());
+    double least = 1e9;
+    const double from = bench.report().commanded.x();
+    bench.onPeriod = [&](const Report& report, const Cycle&) {
+      least = std::min(least, report.commanded.x());
+      bench.ideal->inputs.limitHigh[0] = high && report.commanded.x() > from - 5;
+    };
+    ASSERT_TRUE(bench.until(high ? State::Idle : State::Faulted, 1e4));
+    EXPECT_EQ(bench.report().faults.has(Fault::LimitSwitch), !high);
+    EXPECT_TRUE(high || from - least < 0.001);
+  }
+}
+
+TEST(LimitSwitch, ThatIsOnStopsAJobThatMovesTheAxisFartherWithAFault) {
+  const job::Job job = triangleJob();
+  Bench bench(job.machine);
+  bench.getReady(job);
+  bench.ideal->inputs.limitHigh[0] = true; // it hangs
+  ASSERT_TRUE(bench.until(State::Faulted, 1));
+  bench.supervisor.serve();
+  ASSERT_TRUE(bench.supervisor.acknowledge());
+  ASSERT_TRUE(bench.until(State::Off, 1));
+  ASSERT_TRUE(bench.supervisor.enable());
+  ASSERT_TRUE(bench.until([&] { return bench.report().drivesReady; }, 2));
+  const double from = bench.report().commanded.x();
+  ASSERT_TRUE(bench.supervisor.start());
+  ASSERT_TRUE(bench.until(State::Faulted, 60));
+  EXPECT_TRUE(bench.report().faults.has(Fault::LimitSwitch));
+  EXPECT_NEAR(bench.report().commanded.x(), from, 0.001);
+}
+
 TEST(Origin, MovesTheTableAndNotTheAxes) {
   Bench bench{recipe::Machine{}};
   switchOn(bench);

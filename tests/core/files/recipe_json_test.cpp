@@ -290,6 +290,7 @@ TEST(MachineJson, WhatIsWrittenIsReadBackExactly) {
   machine.period = 0.00025;
   machine.homeAt = {3000.5, 1, 0};
   machine.backOff = 7.25;
+  machine.jogEnableRequired = true;
   for (const Machine& m : {machine, Machine{}}) {
     const auto read = readMachine(writeMachine(m), "m.json");
     EXPECT_TRUE(read.problems.empty()) << firstProblem(read.problems);
@@ -302,7 +303,7 @@ TEST(MachineJson, TheDefaultMachineLooksLikeThis) {
       "max_speed_mm_min": [12000, 12000, 3000], "max_accel_mm_s2": [500, 500, 500], "plunge_feed_mm_min": 1000,
       "park_mm": [0, 0, 120], "period_s": 0.001, "home_at_mm": [0, 0, 120], "home_search_mm_min": 1500,
       "home_latch_mm_min": 60, "jog_mm_min": 3000, "set_point_lead_s": 0.03, "following_error_mm": 1,
-      "back_off_mm": 5, "back_off_after_s": 2, "spindle_wait_s": 15})",
+      "back_off_mm": 5, "back_off_after_s": 2, "spindle_wait_s": 15, "jog_enable_required": false})",
                                 "m.json");
   EXPECT_TRUE(read.problems.empty());
   EXPECT_EQ(read.value, Machine{});
@@ -318,6 +319,7 @@ TEST(MachineJson, EveryWrongValueIsRefusedByName) {
            {R"("period_s": "1 ms")", "period_s must be a number in s, not \"1 ms\"."},
            {R"("plunge_feed_mm_min": -1)", "plunge_feed_mm_min is -1 mm/min; it must be from 1 to 60000 mm/min."},
            {R"("park_mm": [0, 0, 121])", "park_mm (z) is 121 mm; it must be from 0 to 120 mm."},
+           {R"("jog_enable_required": 1)", "jog_enable_required must be true or false, not 1."},
            {R"("wheel_radius_mm": 75)",
             "m.json has a key \"wheel_radius_mm\" that Arris does not know; it is ignored."},
        }) {

@@ -132,7 +132,7 @@ TEST(Report, HasEveryKeyOfRecipeAndMachineThatIsInEffect) {
             (std::set<std::string>{"travel_mm", "max_speed_mm_min", "max_accel_mm_s2", "plunge_feed_mm_min", "park_mm",
                                    "period_s", "home_at_mm", "home_search_mm_min", "home_latch_mm_min", "jog_mm_min",
                                    "set_point_lead_s", "following_error_mm", "back_off_mm", "back_off_after_s",
-                                   "spindle_wait_s"}));
+                                   "spindle_wait_s", "jog_enable_required"}));
   EXPECT_EQ(r["placement"]["x_mm"], 300.0);
   EXPECT_EQ(r["placement"]["y_mm"], 400.0);
   EXPECT_EQ(r["placement"]["rotation_deg"], 30.0);

@@ -35,6 +35,7 @@ ResumePoint somewhere(test::Dice& dice) {
   for (const auto& field : recipe::machineNumberFields()) {
     point.machine.*field.member = dice.between(field.least, field.most);
   }
+  point.machine.jogEnableRequired = dice.chance(0.5);
   point.place = {static_cast<int>(dice.between(-1, 100'000)), dice.logBetween(1e-9, 1e6)};
   point.position = {dice.between(-10, 1510), dice.between(-10, 2510), dice.between(0, 120)};
   point.contour = static_cast<int>(dice.between(0, 50));
