@@ -1,4 +1,5 @@
 #include "app/command_line.h"
+#include "app/folders.h"
 #include "app/headless_run.h"
 #include "app/interruption.h"
 #include "app/job_request.h"
@@ -6,9 +7,6 @@
 #include "core/files/file_hash.h"
 #include "core/files/resume_point.h"
 #include "core/files/run_record.h"
-
-#include <QCoreApplication>
-#include <QStandardPaths>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -64,11 +62,6 @@ void addRunOptions(CLI::App& call, RunRequest& request) {
   call.add_option("--state-dir", request.stateFolder, "Folder of records, alarms and the resume point")
       ->type_name("DIR")
       ->group(group);
-}
-
-fs::path defaultStateFolder() {
-  QCoreApplication::setApplicationName("arris");
-  return fs::path(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation).toStdString());
 }
 
 OrStatus<std::vector<Injection>> injectionsOf(const std::vector<std::string>& texts) {

@@ -1,4 +1,5 @@
 #include "app/command_line.h"
+#include "app/folders.h"
 #include "app/messages.h"
 #include "ui/run_window.h"
 
@@ -38,6 +39,8 @@ ExitStatus openWindow(const Arguments& arguments) {
   CLI::App call("The window.", "arris");
   std::string pattern;
   call.add_option("PATTERN", pattern, "A drawing (DXF, ASCII or binary) to open")->type_name("");
+  std::filesystem::path stateFolder;
+  call.add_option("--state-dir", stateFolder, "Folder of records, alarms and the resume point")->type_name("DIR");
   if (const auto status = read(call, arguments)) {
     return *status;
   }
@@ -52,7 +55,8 @@ ExitStatus openWindow(const Arguments& arguments) {
   QApplication application(count, programArguments);
   qInstallMessageHandler(before);
   const auto file = pattern.empty() ? std::nullopt : std::optional<std::filesystem::path>(pattern);
-  return ui::runWindow(application, file) == 0 ? ExitStatus::Done : ExitStatus::InternalError;
+  const ui::MachineSetup setup{{}, {stateFolder.empty() ? defaultStateFolder() : stateFolder}, control::Pace::Real};
+  return ui::runWindow(application, setup, file) == 0 ? ExitStatus::Done : ExitStatus::InternalError;
 }
 
 } // namespace arris::app

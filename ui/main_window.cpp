@@ -1,12 +1,20 @@
 #include "ui/main_window.h"
 
 #include "ui/pages/job_page.h"
+#include "ui/pages/run_page.h"
+#include "ui/pages/setup_page.h"
+#include "ui/widgets/alarm_banner.h"
+#include "ui/widgets/control_strip.h"
 
+#include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QUrl>
+#include <QVBoxLayout>
 
 namespace arris::ui {
 namespace {
@@ -19,17 +27,71 @@ QString droppedFile(const QMimeData& data) {
 
 } // namespace
 
-MainWindow::MainWindow(recipe::Machine machine, PlannerSteps steps, QWidget* parent)
-    : QMainWindow(parent), m_planner(std::move(machine), std::move(steps)) {
+MainWindow::MainWindow(const MachineSetup& setup, PlannerSteps steps, QWidget* parent)
+    : QMainWindow(parent), m_planner(setup.machine, std::move(steps)), m_machine(setup),
+      m_strip(new ControlStrip(m_machine)), m_pages(new QStackedWidget) {
   setWindowTitle(QStringLiteral("Arris"));
   setAcceptDrops(true);
-  auto* page = new JobPage(m_planner);
-  setCentralWidget(page);
-  connect(page, &JobPage::openRequested, this, &MainWindow::askForPattern);
+  auto* job = new JobPage(m_planner);
+  addPage(job, tr("Job"), QStringLiteral("pageJob"));
+  addPage(new SetupPage(m_machine), tr("Setup"), QStringLiteral("pageSetup"));
+  addPage(new RunPage(m_planner, m_machine), tr("Run"), QStringLiteral("pageRun"));
+  m_strip->showPage(0);
+  auto* beside = new QWidget;
+  auto* row = new QHBoxLayout(beside);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  row->addWidget(m_pages, 1);
+  row->addWidget(m_strip);
+  auto* all = new QWidget;
+  auto* column = new QVBoxLayout(all);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(new AlarmBanner(m_machine));
+  column->addWidget(beside, 1);
+  setCentralWidget(all);
+  connect(m_strip, &ControlStrip::pageChosen, m_pages, &QStackedWidget::setCurrentIndex);
+  connect(job, &JobPage::openRequested, this, &MainWindow::askForPattern);
   connect(&m_planner, &Planner::planned, this, [this](const PlanPointer& plan) {
     const QString name = QString::fromStdString(plan->import->file.filename().string());
     setWindowTitle(tr("%1 – Arris").arg(name));
   });
+  connect(&m_machine, &MachineLink::changed, this, [this] {
+    if (m_closes && !m_machine.allowed().stop) {
+      close();
+    }
+  });
+}
+
+void MainWindow::addPage(QWidget* page, const QString& text, const QString& name) {
+  m_pages->addWidget(page);
+  m_strip->addPage(text, name);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!m_machine.allowed().stop) {
+    event->accept();
+    return;
+  }
+  event->ignore();
+  if (m_closes) { // on its way
+    return;
+  }
+  auto* question = new QMessageBox(QMessageBox::Warning, tr("The machine is moving"),
+                                   tr("Stop the machine and close Arris? The job can be resumed later."),
+                                   QMessageBox::NoButton, this);
+  QPushButton* stops = question->addButton(tr("Stop and close"), QMessageBox::AcceptRole);
+  question->addButton(tr("Keep running"), QMessageBox::RejectRole);
+  question->setAttribute(Qt::WA_DeleteOnClose);
+  question->setModal(false); // FEED HOLD and STOP stay within reach
+  connect(stops, &QPushButton::clicked, this, [this] {
+    m_closes = true;
+    m_machine.stop();
+    if (!m_machine.allowed().stop) {
+      close();
+    }
+  });
+  question->show();
 }
 
 void MainWindow::openPattern(const std::filesystem::path& file) {

@@ -1,19 +1,23 @@
 #pragma once
 
-#include "ui/presenters/planner.h"
+#include "ui/presenters/machine_link.h"
 
 #include <QMainWindow>
+#include <QStackedWidget>
 
 #include <filesystem>
 
 namespace arris::ui {
 
-/// The window of the program. Its pages come and go with the tasks; it opens patterns, by dialog or dropped on it.
+class ControlStrip;
+
+/// The window of the program: an alarm banner above, pages, and beside them the strip with FEED HOLD and STOP. It opens
+/// patterns, by dialog or dropped on it. While the axes move it asks before it closes, and stops them first.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
 public:
-  explicit MainWindow(recipe::Machine machine = {}, PlannerSteps steps = plannerSteps(), QWidget* parent = nullptr);
+  explicit MainWindow(const MachineSetup& setup, PlannerSteps steps = plannerSteps(), QWidget* parent = nullptr);
 
   void openPattern(const std::filesystem::path& file);
 
@@ -21,15 +25,26 @@ public:
     return m_planner;
   }
 
+  [[nodiscard]] MachineLink& machine() {
+    return m_machine;
+  }
+
 protected:
+  void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
 private:
   void askForPattern();
 
+  void addPage(QWidget* page, const QString& text, const QString& name);
+
   Planner m_planner;
-  QString m_folder; // where the last pattern was
+  MachineLink m_machine;
+  ControlStrip* m_strip;
+  QStackedWidget* m_pages;
+  bool m_closes = false; // as soon as the axes are at rest
+  QString m_folder;      // where the last pattern was
 };
 
 } // namespace arris::ui

@@ -20,11 +20,11 @@ void prepareApplication(QApplication& application) {
   applyTheme(application);
 }
 
-int runWindow(QApplication& application, const std::optional<std::filesystem::path>& pattern,
-              const recipe::Machine& machine) {
+int runWindow(QApplication& application, const MachineSetup& setup,
+              const std::optional<std::filesystem::path>& pattern) {
   prepareApplication(application);
   const auto translators = installTranslators(QLocale::system().uiLanguages());
-  MainWindow window(machine);
+  MainWindow window(setup);
   window.resize(kComfortable.boundedTo(QGuiApplication::primaryScreen()->availableSize()));
   window.show();
   if (pattern) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/recipe/recipe.h"
+#include "ui/presenters/machine_link.h"
 
 #include <filesystem>
 #include <optional>
@@ -14,7 +14,7 @@ void prepareApplication(QApplication& application);
 
 /// Opens the window in the language of the system, with a pattern where one is given, and runs until it is closed.
 /// Returns the exit status.
-int runWindow(QApplication& application, const std::optional<std::filesystem::path>& pattern,
-              const recipe::Machine& machine = {});
+int runWindow(QApplication& application, const MachineSetup& setup,
+              const std::optional<std::filesystem::path>& pattern);
 
 } // namespace arris::ui

@@ -1,5 +1,6 @@
 #include "ui/presenters/planner.h"
 
+#include "core/files/file_hash.h"
 #include "core/files/whole_file.h"
 
 #include <utility>
@@ -7,8 +8,10 @@
 namespace arris::ui {
 namespace {
 
-base::Expected<pattern::Pattern> readPattern(const std::filesystem::path& file, const pattern::ImportOptions& options) {
-  return files::readFile(file).map([&](const std::string& text) { return pattern::readDxf(text, options); });
+base::Expected<Import> readPattern(const std::filesystem::path& file, const pattern::ImportOptions& options) {
+  return files::readFile(file).map([&](const std::string& text) {
+    return Import{file, options, pattern::readDxf(text, options), files::fileHash(text)};
+  });
 }
 
 job::Job plan(const pattern::Pattern& pattern, const recipe::Recipe& recipe, const recipe::Machine& machine) {
@@ -114,12 +117,12 @@ void Planner::work(const Request& request) {
 }
 
 std::shared_ptr<const Import> Planner::read(const Request& request, const pattern::ImportOptions& options) {
-  base::Expected<pattern::Pattern> pattern = m_steps.read(request.file, options);
-  if (!pattern) {
-    deliver(request.number, [this, problem = pattern.error()] { giveUpOpening(problem); });
+  base::Expected<Import> opened = m_steps.read(request.file, options);
+  if (!opened) {
+    deliver(request.number, [this, problem = opened.error()] { giveUpOpening(problem); });
     return nullptr;
   }
-  auto import = std::make_shared<const Import>(Import{request.file, options, std::move(*pattern)});
+  auto import = std::make_shared<const Import>(std::move(*opened));
   deliver(request.number, [this, import] {
     m_import = import;
     m_reread = false;

@@ -22,6 +22,7 @@ struct Import {
   std::filesystem::path file;
   pattern::ImportOptions options;
   pattern::Pattern pattern;
+  std::string hash; ///< of the file's bytes
 };
 
 /// One planning, whole: what was planned, from what, and what there is to show of it. Never changed once made, so it is
@@ -37,7 +38,7 @@ using CurvesPointer = std::shared_ptr<const ProfileCurves>;
 
 /// How the planner does its work; replaced in tests only.
 struct PlannerSteps {
-  std::function<base::Expected<pattern::Pattern>(const std::filesystem::path&, const pattern::ImportOptions&)> read;
+  std::function<base::Expected<Import>(const std::filesystem::path&, const pattern::ImportOptions&)> read;
   std::function<job::Job(const pattern::Pattern&, const recipe::Recipe&, const recipe::Machine&)> plan;
 };
 

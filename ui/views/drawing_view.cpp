@@ -27,6 +27,12 @@ constexpr double kCornerRoom = 1.8; // of the widest point of a transition
 constexpr double kPlaceRoom = 60;   // mm round a marked place
 constexpr double kSceneRoom = 20;   // times the drawing's size can be panned
 
+constexpr double kGroundLine = 5; // px
+constexpr double kGroundTolerance = 0.3;
+constexpr double kWheelLine = 2;
+constexpr double kWheelCentre = 3;
+constexpr int kWheelAlpha = 60;
+
 constexpr int kLegendFromWidth = 700; // px
 constexpr int kLegendFromHeight = 420;
 constexpr double kLegendRow = 36; // units of figures
@@ -59,6 +65,9 @@ void DrawingView::setPlan(PlanPointer plan) {
   const bool another = !m_plan || !plan || m_plan->import->file != plan->import->file;
   m_plan = std::move(plan);
   m_labelsValid = false;
+  m_still = {};
+  m_ground.clear();
+  m_groundTo = 0;
   if (another) {
     m_selected = 0;
     m_marked.reset();
@@ -77,6 +86,7 @@ void DrawingView::setPlan(PlanPointer plan) {
 
 void DrawingView::selectCorner(int corner) {
   m_selected = corner;
+  m_still = {};
   m_marked.reset();
   viewport()->update();
 }
@@ -178,10 +188,11 @@ void DrawingView::drawBackground(QPainter* painter, const QRectF& /*rect*/) {
   painter->fillRect(frame(), m_style.palette.paper);
   if (m_plan) {
     const QTransform toView = viewportTransform();
-    paintDrawing(*painter, m_plan->drawing, toView, frame(), m_style);
-    placeLabels();
-    paintCornerLabels(*painter, m_labels, m_selected, m_style);
-    paintLegend(*painter);
+    if (m_wheel) {
+      paintOverStill(*painter);
+    } else {
+      paintStill(*painter);
+    }
     if (m_marked) {
       painter->setPen(QPen(m_style.palette.ink, 3));
       painter->setBrush(Qt::NoBrush);
@@ -193,6 +204,59 @@ void DrawingView::drawBackground(QPainter* painter, const QRectF& /*rect*/) {
     painter->drawText(frame(), Qt::AlignCenter | Qt::TextWordWrap, tr("Open a pattern (DXF), or drop one here."));
   }
   painter->restore();
+}
+
+void DrawingView::paintStill(QPainter& painter) {
+  paintDrawing(painter, m_plan->drawing, viewportTransform(), frame(), m_style);
+  placeLabels();
+  paintCornerLabels(painter, m_labels, m_selected, m_style);
+  paintLegend(painter);
+}
+
+// The wheel moves thirty times a second, all else only when somebody moves it.
+void DrawingView::paintOverStill(QPainter& painter) {
+  const double ratio = devicePixelRatioF();
+  if (m_still.isNull() || m_stillFor != viewportTransform() || m_still.size() != viewport()->size() * ratio) {
+    m_still = QPixmap(viewport()->size() * ratio);
+    m_still.setDevicePixelRatio(ratio);
+    m_still.fill(m_style.palette.paper);
+    m_stillFor = viewportTransform();
+    QPainter still(&m_still);
+    still.setRenderHints(painter.renderHints());
+    paintStill(still);
+  }
+  painter.drawPixmap(0, 0, m_still);
+  const QTransform toView = viewportTransform();
+  painter.setPen(QPen(m_style.palette.lead, kGroundLine, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  for (const geometry::Curve& curve : m_ground) {
+    painter.drawPolyline(flattened({curve}, toView, kGroundTolerance));
+  }
+  const QPointF at = toView.map(toQt(m_wheel->at));
+  const double radius = m_plan->drawing.wheelRadius * pixelsPerMillimetre();
+  QColor disc = m_style.palette.x;
+  painter.setPen(QPen(disc, kWheelLine));
+  disc.setAlpha(kWheelAlpha);
+  painter.setBrush(disc);
+  painter.drawEllipse(at, radius, radius);
+  painter.drawEllipse(at, kWheelCentre, kWheelCentre);
+}
+
+void DrawingView::setWheel(const std::optional<LiveWheel>& wheel) {
+  m_wheel = wheel;
+  const int passed = m_plan && wheel ? std::clamp(wheel->segment, 0, static_cast<int>(m_plan->job.track.size())) : 0;
+  if (passed < m_groundTo) { // another pane
+    m_ground.clear();
+    m_groundTo = 0;
+  }
+  for (; m_groundTo < passed; ++m_groundTo) {
+    const motion::Segment& segment = m_plan->job.track[static_cast<std::size_t>(m_groundTo)];
+    using motion::Move;
+    if (segment.move == Move::Contour || segment.move == Move::Transition || segment.move == Move::Roll) {
+      m_ground.push_back(motion::curveOf(segment));
+    }
+  }
+  viewport()->update();
 }
 
 // In the lower left corner, where the view is large enough to spare the room.

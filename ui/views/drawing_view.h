@@ -5,10 +5,17 @@
 #include "ui/presenters/planner.h"
 
 #include <QGraphicsView>
+#include <QPixmap>
 
 #include <vector>
 
 namespace arris::ui {
+
+/// The wheel while the machine works.
+struct LiveWheel {
+  geometry::Point at; ///< its centre, mm on the table
+  int segment = -1;   ///< of the job's track; what lies before it has been passed. −1 none
+};
 
 /// The drawing of a plan: drag to pan, wheel or pinch to zoom, tap a corner or a problem. All of it goes by keys and by
 /// single taps on the buttons beside it too.
@@ -20,6 +27,9 @@ public:
 
   /// Shows a plan; another pattern is fitted into the view, the same one stays where it is.
   void setPlan(PlanPointer plan);
+
+  /// The wheel where it is, with what it has ground so far marked; nothing hides both.
+  void setWheel(const std::optional<LiveWheel>& wheel);
 
   void selectCorner(int corner);
   /// Brings a corner close enough to see its transition.
@@ -61,6 +71,8 @@ private:
   void setScale(double pixelsPerMillimetre);
   void showBox(const geometry::Box& box, double margin);
   void placeLabels();
+  void paintStill(QPainter& painter);
+  void paintOverStill(QPainter& painter);
   void paintLegend(QPainter& painter) const;
   [[nodiscard]] double pixelsPerMillimetre() const;
   [[nodiscard]] QRectF frame() const;
@@ -72,6 +84,11 @@ private:
   bool m_labelsValid = false;
   int m_selected = 0;
   std::optional<geometry::Point> m_marked;
+  std::optional<LiveWheel> m_wheel;
+  std::vector<geometry::Curve> m_ground; // what has been ground
+  int m_groundTo = 0;                    // segments that are in it or do not belong there
+  QPixmap m_still;                       // all that does not move
+  QTransform m_stillFor;
   bool m_fitted = true; // the view follows the size of the window until somebody zooms or pans
   QPoint m_pressed;
 };

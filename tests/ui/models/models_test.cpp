@@ -12,7 +12,7 @@ namespace {
 
 PlanPointer planOf(const pattern::Pattern& pattern, const recipe::Recipe& recipe = {}) {
   auto plan = std::make_shared<Plan>();
-  plan->import = std::make_shared<const Import>(Import{"pane.dxf", {}, pattern});
+  plan->import = std::make_shared<const Import>(Import{"pane.dxf", {}, pattern, {}});
   plan->job = job::planJob(pattern, recipe, recipe::Machine{});
   plan->drawing = drawingOf(plan->job, pattern);
   return plan;

@@ -31,7 +31,8 @@ constexpr QSize kSmallest(1024, 700);
 
 class Window : public testing::Test {
 protected:
-  Window() : m_window({}, test::paneSteps()), m_planned(&m_window.planner(), &Planner::planned) {
+  Window()
+      : m_window(test::fastMachine(m_scratch), test::paneSteps()), m_planned(&m_window.planner(), &Planner::planned) {
     m_window.resize(kSmallest);
     m_window.show();
   }
@@ -78,6 +79,7 @@ protected:
 
   void expectEverythingShown();
 
+  test::Scratch m_scratch;
   MainWindow m_window;
   QSignalSpy m_planned;
 };

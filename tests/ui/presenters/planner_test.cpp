@@ -126,9 +126,9 @@ TEST(Planner, SaysWhyAFileCannotBeOpenedAndKeepsThePatternBefore) {
 TEST(Planner, ReadsAFileOnceUntilItIsOpenedAgainOrReadDifferently) {
   PlannerSteps steps = test::paneSteps();
   std::atomic<int> readings = 0;
-  steps.read = [&](const std::filesystem::path&, const pattern::ImportOptions&) {
+  steps.read = [&](const std::filesystem::path& file, const pattern::ImportOptions& options) {
     ++readings;
-    return test::triangle600();
+    return Import{file, options, test::triangle600(), {}};
   };
   Planner planner({}, steps);
   planner.openPattern("triangle.dxf");

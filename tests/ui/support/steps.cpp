@@ -19,7 +19,9 @@ pattern::Pattern many() {
 base::Expected<pattern::Pattern> paneNamed(const std::filesystem::path& file, const pattern::ImportOptions& options) {
   const std::string name = file.stem().string();
   if (name == "splashback") {
-    return ui::plannerSteps().read(ARRIS_SOURCE_DIR "/resources/samples/splashback.dxf", options);
+    return ui::plannerSteps()
+        .read(ARRIS_SOURCE_DIR "/resources/samples/splashback.dxf", options)
+        .map([](const ui::Import& import) { return import.pattern; });
   }
   if (name == "repaired") {
     pattern::Pattern pattern = triangle600();
@@ -46,8 +48,16 @@ base::Expected<pattern::Pattern> paneNamed(const std::filesystem::path& file, co
 
 ui::PlannerSteps paneSteps() {
   ui::PlannerSteps steps = ui::plannerSteps();
-  steps.read = paneNamed;
+  steps.read = [](const std::filesystem::path& file, const pattern::ImportOptions& options) {
+    return paneNamed(file, options).map([&](const pattern::Pattern& pattern) {
+      return ui::Import{file, options, pattern, "0123456789abcdef"};
+    });
+  };
   return steps;
+}
+
+ui::MachineSetup fastMachine(const Scratch& folder) {
+  return {{}, {folder / "state"}, control::Pace::Simulated};
 }
 
 } // namespace arris::test

@@ -1,0 +1,209 @@
+// The window with the simulated machine, driven as a person would.
+
+#include "tests/ui/support/artefacts.h"
+#include "tests/ui/support/steps.h"
+#include "ui/main_window.h"
+#include "ui/widgets/hold_button.h"
+
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace arris::ui {
+namespace {
+
+using control::JobState;
+using control::State;
+
+MachineSetup setupOf(const test::Scratch& folder, control::Pace pace) {
+  MachineSetup setup = test::fastMachine(folder);
+  setup.pace = pace;
+  setup.machine.setPointLead = 0.2; // a busy computer wakes the thread late
+  return setup;
+}
+
+class MachineWindow : public testing::Test {
+protected:
+  MachineWindow() : MachineWindow(control::Pace::Simulated) {}
+
+  explicit MachineWindow(control::Pace pace) : m_window(setupOf(m_scratch, pace), test::paneSteps()) {
+    m_window.resize(1024, 700);
+    m_window.show();
+  }
+
+  QPushButton* button(const char* name) {
+    return m_window.findChild<QPushButton*>(QString::fromLatin1(name));
+  }
+
+  void tap(const char* name) {
+    ASSERT_TRUE(button(name) != nullptr) << name;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return button(name)->isEnabled(); }, test::kPatience)) << name;
+    ASSERT_TRUE(button(name)->isVisible()) << name;
+    QTest::mouseClick(button(name), Qt::LeftButton);
+  }
+
+  void holdDown(const char* name) {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return button(name)->isEnabled(); }, test::kPatience)) << name;
+    QTest::mousePress(button(name), Qt::LeftButton);
+    QTest::qWait(HoldButton::kHoldFor + 200);
+    QTest::mouseRelease(button(name), Qt::LeftButton);
+  }
+
+  bool becomes(State state) {
+    return QTest::qWaitFor([&] { return m_window.machine().report().state == state; }, test::kPatience);
+  }
+
+  bool becomes(JobState state) {
+    return QTest::qWaitFor([&] { return m_window.machine().jobState() == state; }, test::kPatience);
+  }
+
+  void keep(const char* name) {
+    QTest::qWait(20);
+    test::keep(name, m_window);
+  }
+
+  // From an empty program to a job that can be started.
+  void getReady() {
+    m_window.openPattern("triangle.dxf");
+    tap("pageSetup");
+    tap("enable");
+    tap("home");
+    ASSERT_TRUE(becomes(State::Idle));
+    tap("pageRun");
+    tap("loadJob");
+  }
+
+  // Slowly, so that the run is met in its middle.
+  void getOntoGlass() {
+    m_window.machine().setOverride(0.1);
+    holdDown("cycleStart");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return m_window.machine().report().place.segment >= 4; }, test::kPatience));
+  }
+
+  test::Scratch m_scratch;
+  MainWindow m_window;
+};
+
+TEST_F(MachineWindow, TakesANewcomerFromAnEmptyProgramToTheSecondPane) {
+  keep("run-empty");
+  getReady();
+  keep("run-loaded");
+  tap("pageSetup");
+  keep("setup-ready");
+  tap("pageRun");
+  holdDown("cycleStart");
+  ASSERT_TRUE(becomes(JobState::Ended));
+  EXPECT_EQ(m_window.machine().panesDone(), 1);
+  ASSERT_TRUE(becomes(State::Idle));
+  holdDown("cycleStart");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return m_window.machine().panesDone() == 2; }, test::kPatience));
+}
+
+TEST_F(MachineWindow, HoldsStepsBackAndResumes) {
+  getReady();
+  getOntoGlass();
+  tap("feedHold");
+  ASSERT_TRUE(becomes(State::Held));
+  EXPECT_EQ(m_window.machine().jobState(), JobState::Interrupted);
+  keep("run-held");
+  tap("stepBack");
+  ASSERT_TRUE(becomes(State::Stepping));
+  ASSERT_TRUE(becomes(State::Held));
+  tap("resume");
+  ASSERT_TRUE(becomes(State::Running));
+  keep("run-running");
+  m_window.machine().setOverride(1);
+  ASSERT_TRUE(becomes(JobState::Ended));
+}
+
+TEST_F(MachineWindow, TellsAFaultOnEveryPageAndGoesOnAfterItsAcknowledgement) {
+  getReady();
+  getOntoGlass();
+  tap("pageSetup");
+  tap("inject4"); // the coolant fails
+  ASSERT_TRUE(becomes(State::Faulted));
+  EXPECT_TRUE(m_window.findChild<QLabel*>(QStringLiteral("alarmText"))->text().contains(QStringLiteral("coolant")));
+  keep("setup-fault");
+  tap("pageRun");
+  keep("run-fault");
+  EXPECT_FALSE(button("cycleStart")->isEnabled());
+  tap("pageSetup");
+  tap("mend");
+  tap("acknowledge");
+  ASSERT_TRUE(becomes(State::Idle));
+  EXPECT_EQ(m_window.findChild<QLabel*>(QStringLiteral("alarmText"))->text(), QString());
+  tap("pageRun");
+  m_window.machine().setOverride(1);
+  holdDown("cycleStart"); // from where it was broken off
+  ASSERT_TRUE(becomes(JobState::Ended));
+}
+
+TEST_F(MachineWindow, DoesNotStartWhereTheButtonIsLetGoTooSoonAndShowsNoEmergencyStop) {
+  getReady();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return button("cycleStart")->isEnabled(); }, test::kPatience));
+  QTest::mousePress(button("cycleStart"), Qt::LeftButton);
+  QTest::mouseRelease(button("cycleStart"), Qt::LeftButton);
+  QTest::qWait(HoldButton::kHoldFor + 100);
+  EXPECT_EQ(m_window.machine().report().state, State::Idle);
+  for (const QPushButton* any : m_window.findChildren<QPushButton*>()) {
+    const bool isSimulation = any->parentWidget()->objectName() == QStringLiteral("simulation");
+    EXPECT_FALSE(!isSimulation && any->text().contains(QStringLiteral("emergency stop"), Qt::CaseInsensitive));
+  }
+}
+
+/// What ends a jog although the finger still lies on the button.
+class Jog : public MachineWindow, public testing::WithParamInterface<const char*> {
+protected:
+  Jog() : MachineWindow(control::Pace::Real) {}
+};
+
+TEST_P(Jog, EndsWhenTheHandIsElsewhere) {
+  const std::string what = GetParam();
+  tap("pageSetup");
+  tap("enable");
+  QPushButton* jog = button("jogXPlus");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return jog->isEnabled(); }, test::kPatience));
+  QTest::mousePress(jog, Qt::LeftButton);
+  ASSERT_TRUE(becomes(State::Jogging));
+  QTest::qWait(600); // it goes on as long as the button is pressed
+  ASSERT_EQ(m_window.machine().report().state, State::Jogging);
+  QMessageBox dialog;
+  if (what == "release") {
+    QTest::mouseRelease(jog, Qt::LeftButton);
+  } else if (what == "focus loss") {
+    button("home")->setFocus();
+  } else if (what == "page change") {
+    button("pageJob")->click();
+  } else if (what == "dialog") {
+    dialog.open();
+  } else {
+    QEvent deactivated(QEvent::WindowDeactivate);
+    QApplication::sendEvent(jog, &deactivated);
+  }
+  EXPECT_TRUE(becomes(State::NotHomed)) << what;
+  const Eigen::Vector3d at = m_window.machine().report().commanded;
+  QTest::qWait(400);
+  EXPECT_EQ(m_window.machine().report().commanded, at);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ends, Jog, testing::Values("release", "focus loss", "page change", "dialog", "deactivation"));
+
+TEST_F(MachineWindow, AsksBeforeItClosesWhileTheMachineMovesAndStopsItFirst) {
+  getReady();
+  getOntoGlass();
+  m_window.close();
+  ASSERT_TRUE(m_window.isVisible());
+  auto* question = m_window.findChild<QMessageBox*>();
+  ASSERT_TRUE(question != nullptr);
+  EXPECT_TRUE(button("feedHold")->isEnabled());
+  EXPECT_FALSE(question->isModal());
+  question->buttons().front()->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !m_window.isVisible(); }, test::kPatience));
+  EXPECT_FALSE(control::isMoving(m_window.machine().report().state));
+}
+
+} // namespace
+} // namespace arris::ui

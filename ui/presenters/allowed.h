@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/control/report.h"
+
+namespace arris::ui {
+
+/// What the operator may do now. The one place where the window's buttons are enabled from the controller's state; the
+/// controller decides for itself all the same.
+struct Allowed {
+  bool enable = false;
+  bool disable = false;
+  bool home = false;
+  bool jog = false;
+  bool move = false; ///< trace, park
+  bool acknowledge = false;
+  bool load = false; ///< another job
+  bool start = false;
+  bool resume = false;
+  bool step = false;
+  bool hold = false;
+  bool stop = false; ///< something moves, or may begin to
+  bool operator==(const Allowed&) const = default;
+};
+
+[[nodiscard]] Allowed allowedIn(const control::Report& report, control::JobState job, bool isLoaded, bool isPlanning);
+
+} // namespace arris::ui

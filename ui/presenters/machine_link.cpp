@@ -1,0 +1,225 @@
+#include "ui/presenters/machine_link.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+namespace arris::ui {
+
+using control::JobState;
+using control::State;
+
+namespace {
+
+/// Reports are taken so often, ms: well within the half second after which the controller misses its operator.
+constexpr int kServeEvery = 20;
+
+/// In simulated time: so many seconds pass each time, in pieces of so many periods.
+constexpr double kFastSeconds = 1;
+constexpr int kFastPeriods = 10;
+
+/// For the axes to come to rest at the end, ms.
+constexpr int kRestPatience = 60'000;
+
+std::string timeOfDay() {
+  return QDateTime::currentDateTime().toString(Qt::ISODate).toStdString();
+}
+
+std::launch planningOf(control::Pace pace) {
+  return pace == control::Pace::Real ? std::launch::async : std::launch::deferred;
+}
+
+} // namespace
+
+MachineLink::MachineLink(const MachineSetup& setup, QObject* parent)
+    : QObject(parent), m_folder(setup.folder), m_machine(setup.machine),
+      m_axes(setup.machine, setup.pace, setup.machine.travel / 2), m_controller(setup.machine, m_channels),
+      m_supervisor(setup.machine, m_channels,
+                   {[this](const control::Report& report) { hear(report); },
+                    [this](const control::FaultReport& fault) { hear(fault); }},
+                   planningOf(setup.pace)) {
+  if (setup.pace == control::Pace::Real) {
+    m_thread.emplace(m_controller, m_axes, setup.machine.period);
+  }
+  connect(&m_timer, &QTimer::timeout, this, &MachineLink::pass);
+  m_timer.setTimerType(Qt::PreciseTimer);
+  m_timer.start(setup.pace == control::Pace::Real ? kServeEvery : 1);
+}
+
+MachineLink::~MachineLink() {
+  m_timer.stop();
+  blockSignals(true);
+  if (control::isMoving(report().state)) {
+    m_supervisor.stop();
+  }
+  for (int waited = 0; waited < kRestPatience && control::isMoving(report().state); waited += kServeEvery) {
+    if (m_thread) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(kServeEvery));
+      m_supervisor.serve();
+    } else {
+      pass();
+    }
+  }
+}
+
+void MachineLink::pass() {
+  if (m_thread) {
+    m_supervisor.serve();
+  } else {
+    const int rounds = static_cast<int>(kFastSeconds / m_machine.period) / kFastPeriods;
+    for (int i = 0; i < rounds; ++i) {
+      for (int period = 0; period < kFastPeriods; ++period) {
+        const control::Cycle& cycle = m_controller.advance(m_axes.read());
+        m_axes.write(cycle.setPoint, cycle.outputs);
+      }
+      m_supervisor.serve();
+    }
+  }
+  if (m_keeper) {
+    for (const base::Problem& problem : m_keeper->takeProblems()) {
+      m_complaint = problem;
+    }
+  }
+  if (m_supervisor.refusal()) {
+    m_complaint = m_supervisor.refusal();
+  }
+  Q_EMIT reported();
+  tellChanges();
+}
+
+void MachineLink::tellChanges() {
+  const Allowed now = allowed();
+  if (now != m_told || report().state != m_toldState || jobState() != m_toldJob) {
+    m_told = now;
+    m_toldState = report().state;
+    m_toldJob = jobState();
+    Q_EMIT changed();
+  }
+}
+
+void MachineLink::hear(const control::Report& report) {
+  if (m_keeper) {
+    m_keeper->add(report);
+  }
+}
+
+void MachineLink::hear(const control::FaultReport& fault) {
+  if (m_keeper) {
+    m_keeper->add(fault);
+  }
+  m_alarms.push_back({fault, timeOfDay()});
+  Q_EMIT alarmRaised(m_alarms.back());
+}
+
+Allowed MachineLink::allowed() const {
+  return allowedIn(report(), jobState(), m_loaded != nullptr, m_supervisor.isPlanning());
+}
+
+double MachineLink::progress() const {
+  return jobState() == JobState::Ended ? 1 : std::clamp(report().path / m_length, 0.0, 1.0);
+}
+
+double MachineLink::timeLeft() const {
+  return m_loaded ? m_loaded->job.duration * (1 - progress()) : 0;
+}
+
+void MachineLink::enable() {
+  m_supervisor.enable();
+}
+
+void MachineLink::disable() {
+  m_supervisor.disable();
+}
+
+void MachineLink::home() {
+  m_supervisor.home();
+}
+
+void MachineLink::acknowledge() {
+  if (m_supervisor.acknowledge()) {
+    for (Alarm& alarm : m_alarms) {
+      alarm.isActive = false;
+    }
+    m_complaint.reset();
+    Q_EMIT changed();
+  }
+}
+
+void MachineLink::load(const PlanPointer& plan, int panes) {
+  const std::shared_ptr<const job::Job> job(plan, &plan->job);
+  if (!allowed().load || !m_supervisor.load(job, panes)) {
+    return;
+  }
+  m_loaded = plan;
+  m_length = 0;
+  for (const motion::Segment& segment : job->track) {
+    m_length += motion::arcLength(segment, motion::parameterLength(segment));
+  }
+  m_complaint.reset();
+  m_keeper = std::make_unique<control::RunKeeper>(m_folder, job, plan->import->file.string(), plan->import->hash,
+                                                  timeOfDay, control::PaneOrder{1, panes});
+  Q_EMIT changed();
+}
+
+void MachineLink::unload() {
+  if (m_supervisor.unload()) {
+    m_loaded.reset();
+    m_keeper.reset();
+    Q_EMIT changed();
+  }
+}
+
+void MachineLink::start() {
+  m_complaint.reset();
+  if (jobState() == JobState::Aborted) {
+    m_supervisor.startFrom(report().place);
+  } else {
+    m_supervisor.start();
+  }
+}
+
+void MachineLink::hold() {
+  m_supervisor.hold();
+}
+
+void MachineLink::resume() {
+  m_supervisor.resume();
+}
+
+void MachineLink::step(double distance) {
+  m_supervisor.step(distance);
+}
+
+void MachineLink::stop() {
+  m_supervisor.stop();
+}
+
+void MachineLink::trace() {
+  m_supervisor.trace();
+}
+
+void MachineLink::park() {
+  m_supervisor.park();
+}
+
+void MachineLink::jogAt(const Eigen::Vector3d& velocity) {
+  m_supervisor.jogAt(velocity);
+}
+
+void MachineLink::setOverride(double factor) {
+  m_supervisor.setOverride(std::clamp(factor, motion::kLowestOverride, motion::kHighestOverride));
+}
+
+void MachineLink::inject(control::SimulatedFault fault) {
+  m_axes.inject(fault);
+}
+
+void MachineLink::clearFaults() {
+  m_axes.clearFaults();
+}
+
+} // namespace arris::ui

@@ -1,0 +1,143 @@
+#pragma once
+
+#include "core/control/control_thread.h"
+#include "core/control/run_keeper.h"
+#include "core/control/simulated_axes.h"
+#include "core/control/supervisor.h"
+#include "ui/presenters/allowed.h"
+#include "ui/presenters/planner.h"
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include <vector>
+
+namespace arris::ui {
+
+/// A fault as the window tells it.
+struct Alarm {
+  control::FaultReport fault;
+  std::string time;     ///< of the day, ISO 8601
+  bool isActive = true; ///< not acknowledged yet
+};
+
+/// What a machine is and where it keeps what its runs leave.
+struct MachineSetup {
+  recipe::Machine machine;
+  control::StateFolder folder;
+  control::Pace pace = control::Pace::Real; ///< Simulated: as fast as it can, for tests
+};
+
+/// The machine as the window sees it: the simulated axes with their controller, in a thread of its own in real time,
+/// and the operator's side, which is served from the window's thread: where the window hangs the controller stops.
+/// Commands go down and reports come up as values. Shares nothing with widgets.
+class MachineLink : public QObject {
+  Q_OBJECT
+
+public:
+  explicit MachineLink(const MachineSetup& setup, QObject* parent = nullptr);
+  ~MachineLink() override; ///< brings the axes to rest first
+  MachineLink(const MachineLink&) = delete;
+  MachineLink& operator=(const MachineLink&) = delete;
+  MachineLink(MachineLink&&) = delete;
+  MachineLink& operator=(MachineLink&&) = delete;
+
+  /// The last period.
+  [[nodiscard]] const control::Report& report() const {
+    return m_supervisor.latest();
+  }
+
+  [[nodiscard]] control::JobState jobState() const {
+    return m_supervisor.jobState();
+  }
+
+  [[nodiscard]] Allowed allowed() const;
+
+  /// What the controller has, frozen while it has it; null where none is loaded.
+  [[nodiscard]] const PlanPointer& loaded() const {
+    return m_loaded;
+  }
+
+  [[nodiscard]] int panesDone() const {
+    return m_supervisor.panesDone();
+  }
+
+  [[nodiscard]] int panesOrdered() const {
+    return m_supervisor.panesOrdered();
+  }
+
+  /// Of the job that is loaded, as far as it was ground in this run; 0 to 1.
+  [[nodiscard]] double progress() const;
+
+  /// To the end of the run at 100 %, s.
+  [[nodiscard]] double timeLeft() const;
+
+  /// Every fault since the program began, the latest last.
+  [[nodiscard]] const std::vector<Alarm>& alarms() const {
+    return m_alarms;
+  }
+
+  /// What could not be started or written, the last of it.
+  [[nodiscard]] const std::optional<base::Problem>& complaint() const {
+    return m_complaint;
+  }
+
+  /// The record of the present or the last run; empty before the first.
+  [[nodiscard]] std::filesystem::path record() const {
+    return m_keeper ? m_keeper->record() : std::filesystem::path();
+  }
+
+  // What the operator wants; where it is not allowed nothing happens.
+
+  void enable();
+  void disable();
+  void home();
+  void acknowledge();
+  void load(const PlanPointer& plan, int panes);
+  void unload();
+  void start(); ///< cycle start: the next pane, or the pane that was broken off from where it was
+  void hold();
+  void resume();
+  void step(double distance); ///< mm along the path, negative back
+  void stop();
+  void trace();
+  void park();
+  void jogAt(const Eigen::Vector3d& velocity); ///< mm/s; to be said again within 0.2 s
+  void setOverride(double factor);
+  void inject(control::SimulatedFault fault);
+  void clearFaults(); ///< of the simulated machine
+
+Q_SIGNALS:
+  /// A new period has been reported.
+  void reported();
+  /// State, job or what is allowed have changed.
+  void changed();
+  void alarmRaised(const arris::ui::Alarm& alarm);
+
+private:
+  void pass();
+  void serve();
+  void hear(const control::Report& report);
+  void hear(const control::FaultReport& fault);
+  void tellChanges();
+
+  control::StateFolder m_folder;
+  recipe::Machine m_machine;
+  control::Channels m_channels;
+  control::SimulatedAxes m_axes;
+  control::Controller m_controller;
+  control::Supervisor m_supervisor;
+  PlanPointer m_loaded;
+  double m_length = 1; ///< of the job's way, mm
+  std::unique_ptr<control::RunKeeper> m_keeper;
+  std::vector<Alarm> m_alarms;
+  std::optional<base::Problem> m_complaint;
+  Allowed m_told;
+  control::State m_toldState = control::State::Off;
+  control::JobState m_toldJob = control::JobState::Idle;
+  QTimer m_timer;
+  std::optional<control::ControlThread> m_thread; ///< in real time; last: it uses the others
+};
+
+} // namespace arris::ui

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "ui/presenters/machine_link.h"
+
+#include <QWidget>
+
+class QButtonGroup;
+class QPushButton;
+class QVBoxLayout;
+
+namespace arris::ui {
+
+/// The strip beside every page: the pages to choose from, and FEED HOLD and STOP, enabled while something moves or may
+/// begin to.
+class ControlStrip : public QWidget {
+  Q_OBJECT
+
+public:
+  explicit ControlStrip(MachineLink& machine, QWidget* parent = nullptr);
+
+  void addPage(const QString& text, const QString& name);
+  void showPage(int page);
+
+Q_SIGNALS:
+  void pageChosen(int page);
+
+private:
+  QPushButton* addStop(const QString& text, const QString& name);
+  void enableStops();
+
+  MachineLink& m_machine;
+  QVBoxLayout* m_layout;
+  QButtonGroup* m_pages;
+  QPushButton* m_hold;
+  QPushButton* m_stop;
+};
+
+} // namespace arris::ui
