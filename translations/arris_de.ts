@@ -970,6 +970,50 @@
         <source>it is damaged</source>
         <translation>Sie ist beschädigt</translation>
     </message>
+    <message>
+        <source>File too large</source>
+        <translation>Datei zu groß</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>Die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>it has no rows</source>
+        <translation>Sie hat keine Zeilen</translation>
+    </message>
+    <message>
+        <source>the time does not increase</source>
+        <translation>Die Zeit nimmt nicht zu</translation>
+    </message>
+    <message>
+        <source>the column {} is missing</source>
+        <translation>Die Spalte {} fehlt</translation>
+    </message>
+    <message>
+        <source>the column {} stands twice</source>
+        <translation>Die Spalte {} steht zweimal da</translation>
+    </message>
+    <message>
+        <source>{} fields instead of {}</source>
+        <translation>{} Felder statt {}</translation>
+    </message>
+    <message>
+        <source>distance_mm must be empty where corner is 0</source>
+        <translation>distance_mm muss leer sein, wo corner 0 ist</translation>
+    </message>
+    <message>
+        <source>{} must be a finite number, not {}</source>
+        <translation>{} muss eine endliche Zahl sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>{} must be a whole number from 0 on, not {}</source>
+        <translation>{} muss eine ganze Zahl ab 0 sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>{} is no phase</source>
+        <translation>{} ist keine Phase</translation>
+    </message>
 </context>
 <context>
     <name>ProfilePage</name>
@@ -1451,6 +1495,125 @@ mm</translation>
     <message>
         <source>feed %1</source>
         <translation>Vorschub %1</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::ProfilesPage</name>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Open an exported profile or the record of a run</source>
+        <translation>Ein exportiertes Profil oder die Aufzeichnung eines Laufs öffnen</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>Geplant</translation>
+    </message>
+    <message>
+        <source>Back to the planned profile alone</source>
+        <translation>Zurück zum geplanten Profil allein</translation>
+    </message>
+    <message>
+        <source>Over the plan</source>
+        <translation>Über dem Plan</translation>
+    </message>
+    <message>
+        <source>Show the plan under the open file</source>
+        <translation>Den Plan unter der geöffneten Datei zeigen</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Bild …</translation>
+    </message>
+    <message>
+        <source>Save a picture as SVG, PNG or PDF</source>
+        <translation>Ein Bild als SVG, PNG oder PDF speichern</translation>
+    </message>
+    <message>
+        <source>Previous corner</source>
+        <translation>Vorige Ecke</translation>
+    </message>
+    <message>
+        <source>Next corner</source>
+        <translation>Nächste Ecke</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Schleifen</translation>
+    </message>
+    <message>
+        <source>From the first lead-in to the last lead-out</source>
+        <translation>Vom ersten Anfahren bis zum letzten Abfahren</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>From the start of the program to its end</source>
+        <translation>Vom Anfang des Programms bis zu seinem Ende</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Reading or writing…</source>
+        <translation>Lesen oder Schreiben …</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>%1, drawn thin over the plan, which is wide and pale</source>
+        <translation>%1, dünn über dem Plan gezeichnet; er ist breit und blass</translation>
+    </message>
+    <message>
+        <source>Planned: %1</source>
+        <translation>Geplant: %1</translation>
+    </message>
+    <message>
+        <source>Planning…</source>
+        <translation>Planen …</translation>
+    </message>
+    <message>
+        <source>The pattern cannot be ground: there is no planned profile.</source>
+        <translation>Das Muster ist nicht schleifbar: Es gibt kein geplantes Profil.</translation>
+    </message>
+    <message>
+        <source>No pattern is open. Profiles and records of runs can be opened all the same.</source>
+        <translation>Kein Muster ist geöffnet. Profile und Aufzeichnungen von Läufen lassen sich trotzdem öffnen.</translation>
+    </message>
+    <message>
+        <source>Open profile or record</source>
+        <translation>Profil oder Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Records and profiles (*.arrisrun *.csv *.CSV);;All files (*)</source>
+        <translation>Aufzeichnungen und Profile (*.arrisrun *.csv *.CSV);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
     </message>
 </context>
 <context>

@@ -970,6 +970,50 @@
         <source>it is damaged</source>
         <translation>数据已损坏</translation>
     </message>
+    <message>
+        <source>File too large</source>
+        <translation>文件过大</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>文件为空</translation>
+    </message>
+    <message>
+        <source>it has no rows</source>
+        <translation>没有数据行</translation>
+    </message>
+    <message>
+        <source>the time does not increase</source>
+        <translation>时间没有递增</translation>
+    </message>
+    <message>
+        <source>the column {} is missing</source>
+        <translation>缺少列 {}</translation>
+    </message>
+    <message>
+        <source>the column {} stands twice</source>
+        <translation>列 {} 出现两次</translation>
+    </message>
+    <message>
+        <source>{} fields instead of {}</source>
+        <translation>有 {} 个字段，应为 {} 个</translation>
+    </message>
+    <message>
+        <source>distance_mm must be empty where corner is 0</source>
+        <translation>corner 为 0 时 distance_mm 必须为空</translation>
+    </message>
+    <message>
+        <source>{} must be a finite number, not {}</source>
+        <translation>{} 必须是有限数值，而不是 {}</translation>
+    </message>
+    <message>
+        <source>{} must be a whole number from 0 on, not {}</source>
+        <translation>{} 必须是不小于 0 的整数，而不是 {}</translation>
+    </message>
+    <message>
+        <source>{} is no phase</source>
+        <translation>{} 不是任何阶段</translation>
+    </message>
 </context>
 <context>
     <name>ProfilePage</name>
@@ -1451,6 +1495,125 @@ mm</translation>
     <message>
         <source>feed %1</source>
         <translation>进给 %1</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::ProfilesPage</name>
+    <message>
+        <source>Open…</source>
+        <translation>打开…</translation>
+    </message>
+    <message>
+        <source>Open an exported profile or the record of a run</source>
+        <translation>打开导出的速度曲线或运行记录</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>计划</translation>
+    </message>
+    <message>
+        <source>Back to the planned profile alone</source>
+        <translation>只显示计划的速度曲线</translation>
+    </message>
+    <message>
+        <source>Over the plan</source>
+        <translation>叠加计划</translation>
+    </message>
+    <message>
+        <source>Show the plan under the open file</source>
+        <translation>在打开的文件下方显示计划</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>图片…</translation>
+    </message>
+    <message>
+        <source>Save a picture as SVG, PNG or PDF</source>
+        <translation>保存为 SVG、PNG 或 PDF 图片</translation>
+    </message>
+    <message>
+        <source>Previous corner</source>
+        <translation>上一个角</translation>
+    </message>
+    <message>
+        <source>Next corner</source>
+        <translation>下一个角</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>缩小</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>放大</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>磨削</translation>
+    </message>
+    <message>
+        <source>From the first lead-in to the last lead-out</source>
+        <translation>从第一次切入到最后一次切出</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>From the start of the program to its end</source>
+        <translation>从程序开始到结束</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>正在读取</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>计划</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Reading or writing…</source>
+        <translation>正在读取或写入…</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>%1, drawn thin over the plan, which is wide and pale</source>
+        <translation>%1，细线叠加在计划之上；计划为浅色宽线</translation>
+    </message>
+    <message>
+        <source>Planned: %1</source>
+        <translation>计划：%1</translation>
+    </message>
+    <message>
+        <source>Planning…</source>
+        <translation>正在规划…</translation>
+    </message>
+    <message>
+        <source>The pattern cannot be ground: there is no planned profile.</source>
+        <translation>图样无法磨削：没有计划的速度曲线。</translation>
+    </message>
+    <message>
+        <source>No pattern is open. Profiles and records of runs can be opened all the same.</source>
+        <translation>没有打开的图样。仍可打开速度曲线和运行记录。</translation>
+    </message>
+    <message>
+        <source>Open profile or record</source>
+        <translation>打开速度曲线或记录</translation>
+    </message>
+    <message>
+        <source>Records and profiles (*.arrisrun *.csv *.CSV);;All files (*)</source>
+        <translation>记录和速度曲线 (*.arrisrun *.csv *.CSV);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>保存图片</translation>
     </message>
 </context>
 <context>

@@ -62,7 +62,9 @@ ProfilePlot::ProfilePlot(const FigureStyle& style, QWidget* parent) : QCustomPlo
   auto* margins = new QCPMarginGroup(this);
   for (int i = 0; i < kPanelCount; ++i) {
     addPanel(static_cast<Panel>(i));
-    m_panels[static_cast<std::size_t>(i)].rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
+    PanelParts& panel = m_panels[static_cast<std::size_t>(i)];
+    panel.rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
+    addInstant(panel);
   }
   m_bands = new CornerBands(m_panels.front().rect, style);
   // All panels are equally high: the corners' labels and the time axis stand in rows of their own.
@@ -407,10 +409,53 @@ void ProfilePlot::prepareForPrint(const QSize& size) {
   }
 }
 
+// On the layer that is drawn alone: the line follows the mouse and the curves stay.
+void ProfilePlot::addInstant(PanelParts& panel) {
+  panel.instant = new QCPItemStraightLine(this);
+  panel.instant->setLayer(QStringLiteral("overlay"));
+  panel.instant->setClipAxisRect(panel.rect);
+  panel.instant->setPen(m_style.pen(m_style.palette.ink, kLine));
+  panel.instant->setVisible(false);
+  for (QCPItemPosition* position : {panel.instant->point1, panel.instant->point2}) {
+    position->setAxes(panel.rect->axis(QCPAxis::atBottom), panel.rect->axis(QCPAxis::atLeft));
+    position->setAxisRect(panel.rect);
+    position->setTypeX(QCPItemPosition::ptPlotCoords);
+    position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+  }
+}
+
+void ProfilePlot::markInstant(std::optional<double> time) {
+  for (const PanelParts& panel : m_panels) {
+    panel.instant->setVisible(time.has_value());
+    panel.instant->point1->setCoords(time.value_or(0), 0);
+    panel.instant->point2->setCoords(time.value_or(0), 1);
+  }
+  if (isVisible()) {
+    layer(QStringLiteral("overlay"))->replot();
+  }
+}
+
+void ProfilePlot::pointAt(double x) {
+  const QRect panel = m_panels.front().rect->rect();
+  if (x >= panel.left() && x <= panel.right()) {
+    Q_EMIT instantPointed(m_panels.front().rect->axis(QCPAxis::atBottom)->pixelToCoord(x));
+  }
+}
+
+void ProfilePlot::mouseMoveEvent(QMouseEvent* event) {
+  QCustomPlot::mouseMoveEvent(event);
+  if (event->buttons() == Qt::NoButton) {
+    pointAt(event->position().x());
+  }
+}
+
 void ProfilePlot::mouseReleaseEvent(QMouseEvent* event) {
   QCustomPlot::mouseReleaseEvent(event);
   const bool tapped = (event->pos() - mMousePressPos).manhattanLength() < QApplication::startDragDistance();
   const double time = m_panels.front().rect->axis(QCPAxis::atBottom)->pixelToCoord(event->position().x());
+  if (tapped) {
+    pointAt(event->position().x());
+  }
   for (const CornerBand& band : m_cornerBands) {
     if (tapped && band.zone == Zone::Corner && time >= band.from && time <= band.to) {
       Q_EMIT cornerTapped(band.corner);

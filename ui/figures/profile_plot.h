@@ -6,6 +6,7 @@
 #include <qcustomplot.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace arris::ui {
@@ -31,14 +32,23 @@ public:
   void zoomIn();
   void zoomOut();
 
+  /// A line through all panels at this time; none without one.
+  void markInstant(std::optional<double> time);
+
+  /// What a panel shows and its unit on a second line, in words or as a symbol.
+  [[nodiscard]] static QString axisTitle(Panel panel, bool inWords);
+
   /// Reduces the curves to what shows on paper at this size, and cuts off what lies outside the panels.
   void prepareForPrint(const QSize& size);
 
 Q_SIGNALS:
   /// A corner's band was tapped.
   void cornerTapped(int corner);
+  /// A time was tapped, or the mouse hovers over it.
+  void instantPointed(double time);
 
 protected:
+  void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
@@ -47,11 +57,14 @@ private:
   struct PanelParts {
     QCPAxisRect* rect = nullptr;
     std::vector<QCPGraph*> graphs;
+    QCPItemStraightLine* instant = nullptr;
   };
 
   void refresh();
   void zoomBy(double factor);
   void addPanel(Panel panel);
+  void addInstant(PanelParts& panel);
+  void pointAt(double x);
   void addSpace(int row, int height);
   void setTimes(const std::vector<ProfileCurves>& profiles);
   void addCurve(PanelParts& panel, Panel kind, const ProfileCurves& curves, bool under);
@@ -61,7 +74,6 @@ private:
   void addLimitLine(PanelParts& panel, double value, const QString& words);
   void addReliefLimits(PanelParts& panel, const ProfileLimits& limits);
   void setAxisTitles(double height);
-  [[nodiscard]] static QString axisTitle(Panel panel, bool inWords);
   [[nodiscard]] QColor colorOf(Panel panel) const;
 
   FigureStyle m_style;
