@@ -22,6 +22,9 @@ constexpr double kOverlaidLine = 8;
 constexpr double kProfileZoomStep = 1.5;
 constexpr double kPrintTolerance = 0.2;
 
+constexpr double kArrowSteps = 200; // from one end of the time that is shown to the other
+constexpr int kFocusFrame = 3;      // px, as the theme's
+
 // Values of the right-hand axis nearer than this share of it would stand on each other.
 constexpr double kTickRoom = 0.25;
 
@@ -425,6 +428,7 @@ void ProfilePlot::addInstant(PanelParts& panel) {
 }
 
 void ProfilePlot::markInstant(std::optional<double> time) {
+  m_instant = time;
   for (const PanelParts& panel : m_panels) {
     panel.instant->setVisible(time.has_value());
     panel.instant->point1->setCoords(time.value_or(0), 0);
@@ -439,6 +443,44 @@ void ProfilePlot::pointAt(double x) {
   const QRect panel = m_panels.front().rect->rect();
   if (x >= panel.left() && x <= panel.right()) {
     Q_EMIT instantPointed(m_panels.front().rect->axis(QCPAxis::atBottom)->pixelToCoord(x));
+  }
+}
+
+void ProfilePlot::pointBeside(int steps) {
+  const QCPRange shown = m_panels.front().rect->axis(QCPAxis::atBottom)->range();
+  const double from = m_instant && shown.contains(*m_instant) ? *m_instant : shown.center();
+  Q_EMIT instantPointed(std::clamp(from + steps * shown.size() / kArrowSteps, shown.lower, shown.upper));
+}
+
+void ProfilePlot::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+  case Qt::Key_Left:
+    pointBeside(-1);
+    break;
+  case Qt::Key_Right:
+    pointBeside(1);
+    break;
+  case Qt::Key_Plus:
+    zoomIn();
+    break;
+  case Qt::Key_Minus:
+    zoomOut();
+    break;
+  case Qt::Key_Home:
+    showWork();
+    break;
+  default:
+    QCustomPlot::keyPressEvent(event);
+  }
+}
+
+// With the frame of what has the focus.
+void ProfilePlot::paintEvent(QPaintEvent* event) {
+  QCustomPlot::paintEvent(event);
+  if (hasFocus()) {
+    QPainter painter(this);
+    painter.setPen(QPen(m_style.palette.ink, kFocusFrame));
+    painter.drawRect(rect().adjusted(kFocusFrame / 2, kFocusFrame / 2, -kFocusFrame / 2 - 1, -kFocusFrame / 2 - 1));
   }
 }
 

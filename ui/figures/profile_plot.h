@@ -15,6 +15,7 @@ class CornerBands;
 
 /// Velocity and acceleration of X and Y, path speed and distance to the corner over one time axis, with the corners
 /// marked and the limits drawn; after the paper's Figures 8 and 10. The window shows it, figures are printed from it.
+/// With the focus, arrows move the time that is pointed at, plus and minus zoom, and Home shows the work.
 class ProfilePlot : public QCustomPlot {
   Q_OBJECT
 
@@ -44,12 +45,14 @@ public:
 Q_SIGNALS:
   /// A corner's band was tapped.
   void cornerTapped(int corner);
-  /// A time was tapped, or the mouse hovers over it.
+  /// A time was tapped, the mouse hovers over it, or arrows moved there.
   void instantPointed(double time);
 
 protected:
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
@@ -65,6 +68,7 @@ private:
   void addPanel(Panel panel);
   void addInstant(PanelParts& panel);
   void pointAt(double x);
+  void pointBeside(int steps);
   void addSpace(int row, int height);
   void setTimes(const std::vector<ProfileCurves>& profiles);
   void addCurve(PanelParts& panel, Panel kind, const ProfileCurves& curves, bool under);
@@ -80,6 +84,7 @@ private:
   std::array<PanelParts, kPanelCount> m_panels;
   CornerBands* m_bands = nullptr;
   std::vector<CornerBand> m_cornerBands;
+  std::optional<double> m_instant;
   double m_workFrom = 0, m_workTo = 1, m_duration = 1;
 };
 

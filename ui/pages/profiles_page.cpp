@@ -46,7 +46,7 @@ ProfilesPage::ProfilesPage(Planner& planner, QWidget* parent)
       m_stateSign(new QLabel), m_state(new QLabel), m_busy(new QProgressBar) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 4, 6, 4);
-  layout->setSpacing(2);
+  layout->setSpacing(4);
   layout->addWidget(makeButtons());
   layout->addWidget(makeTexts());
   layout->addWidget(m_busy);
@@ -55,6 +55,7 @@ ProfilesPage::ProfilesPage(Planner& planner, QWidget* parent)
   connectFiles();
   connect(m_plot, &ProfilePlot::instantPointed, this, &ProfilesPage::pointAt);
   connect(m_plot, &ProfilePlot::cornerTapped, this, &ProfilesPage::selectCorner);
+  m_plot->setFocusPolicy(Qt::StrongFocus);
   showProfiles(View::Work);
 }
 
@@ -161,6 +162,7 @@ void ProfilesPage::showPlan(const PlanPointer& plan) {
   m_plan = plan;
   if (m_planned && (another || !plan->job.canBeGround())) {
     m_planned.reset();
+    m_instant.reset();
     showProfiles(View::Work);
   }
   showState();

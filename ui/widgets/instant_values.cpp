@@ -13,7 +13,6 @@
 namespace arris::ui {
 namespace {
 
-constexpr int kValueTextHeight = 14; // px
 constexpr int kColumnGap = 8;
 constexpr int kNameRoom = 4;
 
@@ -24,14 +23,11 @@ QString panelValueText(double value) {
 } // namespace
 
 InstantValues::InstantValues(QWidget* parent) : QWidget(parent) {
-  QFont small = font();
-  small.setPixelSize(kValueTextHeight);
-  setFont(small);
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(kColumnGap);
   grid->setVerticalSpacing(0);
-  const QFontMetrics metrics(small);
+  const QFontMetrics metrics(font());
   const int nameWidth = metrics.horizontalAdvance(QStringLiteral("t = 00000.000 s"));
   m_time = addLabel(0, 0, QStringLiteral("instant"));
   m_time->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);

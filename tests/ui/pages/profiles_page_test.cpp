@@ -257,6 +257,26 @@ TEST_F(Profiles, TellTheValuesAtTheTimeThatIsTappedOrHoveredOver) {
   EXPECT_EQ(text("value_0_5"), "–"); // no corner is due any more
 }
 
+TEST_F(Profiles, AreReadAndZoomedByKeys) {
+  plan("triangle.dxf");
+  press("profilesNextCorner");
+  plot()->setFocus();
+  const double whole = times().size();
+  QTest::keyClick(plot(), Qt::Key_Plus);
+  EXPECT_LT(times().size(), whole);
+  QTest::keyClick(plot(), Qt::Key_Minus);
+  EXPECT_NEAR(times().size(), whole, 1e-9);
+  const QCPRange shown = times();
+  const double before = text("instant").section(' ', 2, 2).toDouble();
+  QTest::keyClick(plot(), Qt::Key_Right);
+  QTest::keyClick(plot(), Qt::Key_Right);
+  QTest::keyClick(plot(), Qt::Key_Left);
+  EXPECT_NEAR(text("instant").section(' ', 2, 2).toDouble(), before + shown.size() / 200, 0.0011);
+  test::keep("profiles-keys", m_page);
+  QTest::keyClick(plot(), Qt::Key_Home);
+  EXPECT_NEAR(times().size(), triangle().working, 0.01);
+}
+
 TEST_F(Profiles, GoOnFromTheCornerThatIsTapped) {
   plan("triangle.dxf");
   press("profilesNextCorner");
@@ -309,6 +329,7 @@ TEST_F(Profiles, HaveTargetsForFingersThatTheTabulatorReaches) {
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
     reached.insert(QApplication::focusWidget());
   }
+  EXPECT_TRUE(reached.contains(plot()));
   for (QToolButton* each : m_page.findChildren<QToolButton*>()) {
     EXPECT_GE(each->height(), kTouch) << each->objectName().toStdString();
     EXPECT_GE(each->width(), kTouch) << each->objectName().toStdString();
