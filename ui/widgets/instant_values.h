@@ -31,7 +31,7 @@ private:
   };
 
   QLabel* addLabel(int row, int column, const QString& name);
-  void showRow(const Row& row, const ProfileCurves& curves, std::optional<double> time);
+  static void showRow(const Row& row, const ProfileCurves& curves, std::optional<double> time);
 
   QLabel* m_time;
   std::array<Row, kMostProfiles> m_rows;
