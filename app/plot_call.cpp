@@ -3,10 +3,9 @@
 #include "app/inputs.h"
 #include "app/messages.h"
 #include "app/outputs.h"
-#include "core/files/profile_csv.h"
 #include "core/files/report.h"
-#include "core/files/run_record.h"
 #include "ui/figures/profile_figure.h"
+#include "ui/figures/profile_file.h"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -21,32 +20,13 @@ QString nameOf(const fs::path& file) {
   return QString::fromStdString(file.filename().string());
 }
 
-// Row by row, since a record may be long.
-OrStatus<ui::ProfileCurves> loadRecord(const fs::path& file) {
-  ui::ProfileColumns columns;
-  const auto record = files::readRecord(file, {[&](const files::RunRow& run) { ui::append(columns, run.row); }, {}});
-  if (!record) {
-    return tl::unexpected(tellAndJudge({record.error()}));
-  }
-  tell(record->damage);
-  if (columns.time.empty()) {
-    return tl::unexpected(tellAndJudge({base::Problem(
-        base::Code::RecordMalformed, {{"file", file.string()}, {"reason", std::string("it has no rows")}})}));
-  }
-  return ui::curvesOf(columns, nameOf(file));
-}
-
 OrStatus<ui::ProfileCurves> loadCurves(const fs::path& file) {
-  if (files::isRecord(file)) {
-    return loadRecord(file);
+  ui::ProfileReading reading = ui::readProfileFile(file);
+  tell(reading.damage);
+  if (!reading.curves) {
+    return tl::unexpected(tellAndJudge({reading.curves.error()}));
   }
-  return load(file).and_then([&](const std::string& text) -> OrStatus<ui::ProfileCurves> {
-    const auto rows = files::readProfile(text, file.string());
-    if (!rows) {
-      return tl::unexpected(tellAndJudge({rows.error()}));
-    }
-    return ui::curvesOf(ui::columnsOf(*rows), nameOf(file));
-  });
+  return *std::move(reading.curves);
 }
 
 OrStatus<ui::ProfileLimits> loadLimits(const fs::path& report) {

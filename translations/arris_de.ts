@@ -73,6 +73,268 @@
     </message>
 </context>
 <context>
+    <name>Fault</name>
+    <message>
+        <source>The emergency stop has tripped.</source>
+        <translation>Der Not-Halt hat ausgelöst.</translation>
+    </message>
+    <message>
+        <source>Somebody pressed it, or its circuit is open.</source>
+        <translation>Der Not-Halt wurde gedrückt oder sein Stromkreis ist offen.</translation>
+    </message>
+    <message>
+        <source>Make the machine safe, release the button, acknowledge.</source>
+        <translation>Maschine sichern, Not-Halt-Taster entriegeln, quittieren.</translation>
+    </message>
+    <message>
+        <source>The encoder of {axis} gives no signal.</source>
+        <translation>{axis}: Der Geber liefert kein Signal.</translation>
+    </message>
+    <message>
+        <source>A cable is broken or loose, or the encoder is dirty.</source>
+        <translation>Ein Kabel ist gebrochen oder lose, oder der Geber ist verschmutzt.</translation>
+    </message>
+    <message>
+        <source>Mend the encoder or its cable, acknowledge, home again.</source>
+        <translation>Geber oder Kabel instand setzen, quittieren, neu referenzieren.</translation>
+    </message>
+    <message>
+        <source>The axes report nothing any more.</source>
+        <translation>Die Achsen melden nichts mehr.</translation>
+    </message>
+    <message>
+        <source>The connection to the drives is broken.</source>
+        <translation>Die Verbindung zu den Antrieben ist unterbrochen.</translation>
+    </message>
+    <message>
+        <source>Mend the connection, acknowledge, home again.</source>
+        <translation>Verbindung wiederherstellen, quittieren, neu referenzieren.</translation>
+    </message>
+    <message>
+        <source>A set-point of {axis} was no number, or jumped by {value} mm/s² more than the axis can follow.</source>
+        <translation>{axis}: Ein Sollwert war keine Zahl oder sprang um {value} mm/s² mehr, als die Achse folgen kann.</translation>
+    </message>
+    <message>
+        <source>A fault in Arris.</source>
+        <translation>Ein Fehler in Arris.</translation>
+    </message>
+    <message>
+        <source>Save a support bundle and report it. Acknowledge to go on.</source>
+        <translation>Supportpaket speichern und Fehler melden. Zum Weiterarbeiten quittieren.</translation>
+    </message>
+    <message>
+        <source>{axis} stands {value} mm away from its set-point.</source>
+        <translation>{axis}: Die Achse steht {value} mm neben ihrem Sollwert.</translation>
+    </message>
+    <message>
+        <source>The axis is blocked, or its drive is too weak.</source>
+        <translation>Die Achse ist blockiert oder ihr Antrieb ist zu schwach.</translation>
+    </message>
+    <message>
+        <source>Free the axis, check the drive, acknowledge.</source>
+        <translation>Achse freimachen, Antrieb prüfen, quittieren.</translation>
+    </message>
+    <message>
+        <source>The drive of {axis} reports a fault.</source>
+        <translation>{axis}: Der Antrieb meldet eine Störung.</translation>
+    </message>
+    <message>
+        <source>Overload, overheating, or a fault in the supply.</source>
+        <translation>Überlast, Übertemperatur oder Störung der Versorgung.</translation>
+    </message>
+    <message>
+        <source>Read the drive&apos;s own display, mend it, acknowledge.</source>
+        <translation>Anzeige am Antrieb ablesen, Störung beheben, quittieren.</translation>
+    </message>
+    <message>
+        <source>The drive of {axis} is not ready.</source>
+        <translation>{axis}: Der Antrieb ist nicht bereit.</translation>
+    </message>
+    <message>
+        <source>Its supply is off, or a safety circuit is open.</source>
+        <translation>Die Versorgung ist aus oder ein Sicherheitskreis ist offen.</translation>
+    </message>
+    <message>
+        <source>Switch the drive&apos;s supply on, acknowledge.</source>
+        <translation>Versorgung des Antriebs einschalten, quittieren.</translation>
+    </message>
+    <message>
+        <source>{axis} has hit a limit switch.</source>
+        <translation>{axis}: Ein Endschalter wurde angefahren.</translation>
+    </message>
+    <message>
+        <source>The axis ran past the end of its travel.</source>
+        <translation>Die Achse ist über das Ende ihres Verfahrbereichs gefahren.</translation>
+    </message>
+    <message>
+        <source>Acknowledge, jog the axis back, home again.</source>
+        <translation>Quittieren, Achse im Tippbetrieb zurückfahren, neu referenzieren.</translation>
+    </message>
+    <message>
+        <source>{axis} would leave its travel.</source>
+        <translation>{axis}: Die Achse würde ihren Verfahrbereich verlassen.</translation>
+    </message>
+    <message>
+        <source>The origin was moved, or the pattern lies too far out.</source>
+        <translation>Der Nullpunkt wurde verschoben oder das Muster liegt zu weit außen.</translation>
+    </message>
+    <message>
+        <source>Acknowledge, set the origin, load the job again.</source>
+        <translation>Quittieren, Nullpunkt setzen, Auftrag neu laden.</translation>
+    </message>
+    <message>
+        <source>{axis} has not found its reference switch.</source>
+        <translation>{axis}: Der Referenzschalter wurde nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>The switch is broken, or the axis did not move.</source>
+        <translation>Der Schalter ist defekt oder die Achse hat sich nicht bewegt.</translation>
+    </message>
+    <message>
+        <source>Check the switch and the axis, acknowledge, home again.</source>
+        <translation>Schalter und Achse prüfen, quittieren, neu referenzieren.</translation>
+    </message>
+    <message>
+        <source>The rotary buffers ran dry; the wheel was stopped on its path.</source>
+        <translation>Die Ringpuffer sind leergelaufen; die Schleifscheibe wurde auf ihrer Bahn angehalten.</translation>
+    </message>
+    <message>
+        <source>The computer was too busy to supply the controller.</source>
+        <translation>Der Rechner war zu ausgelastet, um die Steuerung zu versorgen.</translation>
+    </message>
+    <message>
+        <source>Close other programs, acknowledge, resume the job.</source>
+        <translation>Andere Programme schließen, quittieren, Auftrag fortsetzen.</translation>
+    </message>
+    <message>
+        <source>The axes report late, by {value} ms.</source>
+        <translation>Die Achsen melden um {value} ms zu spät.</translation>
+    </message>
+    <message>
+        <source>The computer or the connection to the drives is overloaded.</source>
+        <translation>Der Rechner oder die Verbindung zu den Antrieben ist überlastet.</translation>
+    </message>
+    <message>
+        <source>The axes had no set-point for {value} periods.</source>
+        <translation>Die Achsen hatten {value} Takte lang keinen Sollwert.</translation>
+    </message>
+    <message>
+        <source>The computer was too busy to supply them in time.</source>
+        <translation>Der Rechner war zu ausgelastet, um sie rechtzeitig zu versorgen.</translation>
+    </message>
+    <message>
+        <source>The operator&apos;s side has not answered for half a second.</source>
+        <translation>Die Bedienseite antwortet seit einer halben Sekunde nicht.</translation>
+    </message>
+    <message>
+        <source>The program hangs or has ended.</source>
+        <translation>Das Programm hängt oder wurde beendet.</translation>
+    </message>
+    <message>
+        <source>Start Arris again, resume the job.</source>
+        <translation>Arris neu starten, Auftrag fortsetzen.</translation>
+    </message>
+    <message>
+        <source>The spindle has lost its speed on the glass.</source>
+        <translation>Die Spindel hat auf dem Glas ihre Drehzahl verloren.</translation>
+    </message>
+    <message>
+        <source>The wheel is overloaded or blocked, or the spindle&apos;s drive has a fault.</source>
+        <translation>Die Schleifscheibe ist überlastet oder blockiert, oder der Spindelantrieb ist gestört.</translation>
+    </message>
+    <message>
+        <source>Check wheel and spindle, acknowledge, resume the job.</source>
+        <translation>Schleifscheibe und Spindel prüfen, quittieren, Auftrag fortsetzen.</translation>
+    </message>
+    <message>
+        <source>The coolant has stopped flowing on the glass.</source>
+        <translation>Das Kühlmittel ist auf dem Glas ausgefallen.</translation>
+    </message>
+    <message>
+        <source>The tank is empty, or the pump or a filter is blocked.</source>
+        <translation>Der Tank ist leer, oder die Pumpe oder ein Filter ist verstopft.</translation>
+    </message>
+    <message>
+        <source>Mend the coolant, acknowledge, resume the job.</source>
+        <translation>Kühlmittelzufuhr instand setzen, quittieren, Auftrag fortsetzen.</translation>
+    </message>
+    <message>
+        <source>The vacuum does not hold the glass.</source>
+        <translation>Das Vakuum hält das Glas nicht.</translation>
+    </message>
+    <message>
+        <source>A cup leaks, or the pump is off.</source>
+        <translation>Ein Sauger ist undicht oder die Pumpe ist aus.</translation>
+    </message>
+    <message>
+        <source>Check cups and pump, place the glass again, acknowledge.</source>
+        <translation>Sauger und Pumpe prüfen, Glas neu auflegen, quittieren.</translation>
+    </message>
+    <message>
+        <source>The spindle does not reach its speed.</source>
+        <translation>Die Spindel erreicht ihre Drehzahl nicht.</translation>
+    </message>
+    <message>
+        <source>The spindle&apos;s drive is off or has a fault.</source>
+        <translation>Der Spindelantrieb ist aus oder gestört.</translation>
+    </message>
+    <message>
+        <source>Check the spindle, acknowledge, start again.</source>
+        <translation>Spindel prüfen, quittieren, neu starten.</translation>
+    </message>
+    <message>
+        <source>The coolant does not flow.</source>
+        <translation>Das Kühlmittel fließt nicht.</translation>
+    </message>
+    <message>
+        <source>The tank is empty, a valve is closed, or the pump is off.</source>
+        <translation>Der Tank ist leer, ein Ventil ist geschlossen oder die Pumpe ist aus.</translation>
+    </message>
+    <message>
+        <source>Check the coolant, acknowledge, start again.</source>
+        <translation>Kühlmittel prüfen, quittieren, neu starten.</translation>
+    </message>
+    <message>
+        <source>an axis</source>
+        <translation>Eine Achse</translation>
+    </message>
+</context>
+<context>
+    <name>JobState</name>
+    <message>
+        <source>Idle</source>
+        <translation>Untätig</translation>
+    </message>
+    <message>
+        <source>Queued</source>
+        <translation>Eingereiht</translation>
+    </message>
+    <message>
+        <source>Released</source>
+        <translation>Freigegeben</translation>
+    </message>
+    <message>
+        <source>Initialized</source>
+        <translation>Vorbereitet</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Unterbrochen</translation>
+    </message>
+    <message>
+        <source>Aborted</source>
+        <translation>Abgebrochen</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Beendet</translation>
+    </message>
+</context>
+<context>
     <name>Legend</name>
     <message>
         <source>Finished contour</source>
@@ -970,6 +1232,50 @@
         <source>it is damaged</source>
         <translation>Sie ist beschädigt</translation>
     </message>
+    <message>
+        <source>File too large</source>
+        <translation>Datei zu groß</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>Die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>it has no rows</source>
+        <translation>Sie hat keine Zeilen</translation>
+    </message>
+    <message>
+        <source>the time does not increase</source>
+        <translation>Die Zeit nimmt nicht zu</translation>
+    </message>
+    <message>
+        <source>the column {} is missing</source>
+        <translation>Die Spalte {} fehlt</translation>
+    </message>
+    <message>
+        <source>the column {} stands twice</source>
+        <translation>Die Spalte {} steht zweimal da</translation>
+    </message>
+    <message>
+        <source>{} fields instead of {}</source>
+        <translation>{} Felder statt {}</translation>
+    </message>
+    <message>
+        <source>distance_mm must be empty where corner is 0</source>
+        <translation>distance_mm muss leer sein, wo corner 0 ist</translation>
+    </message>
+    <message>
+        <source>{} must be a finite number, not {}</source>
+        <translation>{} muss eine endliche Zahl sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>{} must be a whole number from 0 on, not {}</source>
+        <translation>{} muss eine ganze Zahl ab 0 sein, nicht {}</translation>
+    </message>
+    <message>
+        <source>{} is no phase</source>
+        <translation>{} ist keine Phase</translation>
+    </message>
 </context>
 <context>
     <name>ProfilePage</name>
@@ -1090,6 +1396,120 @@
     <message>
         <source>Tolerance of fitting chopped curves</source>
         <translation>Toleranz beim Glätten zerhackter Kurven</translation>
+    </message>
+</context>
+<context>
+    <name>SimulatedFault</name>
+    <message>
+        <source>Coolant fails</source>
+        <translation>Kühlmittel fällt aus</translation>
+    </message>
+    <message>
+        <source>Spindle fails</source>
+        <translation>Spindel fällt aus</translation>
+    </message>
+    <message>
+        <source>Vacuum fails</source>
+        <translation>Vakuum fällt aus</translation>
+    </message>
+    <message>
+        <source>Drive of X fails</source>
+        <translation>Antrieb X fällt aus</translation>
+    </message>
+    <message>
+        <source>X is stuck</source>
+        <translation>X ist blockiert</translation>
+    </message>
+    <message>
+        <source>Emergency stop trips</source>
+        <translation>Not-Halt löst aus</translation>
+    </message>
+</context>
+<context>
+    <name>State</name>
+    <message>
+        <source>Drives off</source>
+        <translation>Antriebe aus</translation>
+    </message>
+    <message>
+        <source>Not homed</source>
+        <translation>Nicht referenziert</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation>Referenzfahrt</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Startet</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Holding</source>
+        <translation>Hält an</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Stepping</source>
+        <translation>Schrittbetrieb</translation>
+    </message>
+    <message>
+        <source>Jogging</source>
+        <translation>Tippbetrieb</translation>
+    </message>
+    <message>
+        <source>Positioning</source>
+        <translation>Positionieren</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Stoppt</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>Not-Halt</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::AlarmBanner</name>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Quittieren</translation>
+    </message>
+    <message>
+        <source>%1 of %2 panes done</source>
+        <translation>%1 von %2 Scheiben fertig</translation>
+    </message>
+    <message>
+        <source>No job is loaded</source>
+        <translation>Kein Auftrag geladen</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::ControlStrip</name>
+    <message>
+        <source>FEED
+HOLD</source>
+        <translation>VORSCHUB
+HALT</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOPP</translation>
     </message>
 </context>
 <context>
@@ -1244,6 +1664,10 @@ mm</translation>
 <context>
     <name>arris::ui::FindingsPanel</name>
     <message>
+        <source>Corner</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
         <source>Corners</source>
         <translation>Ecken</translation>
     </message>
@@ -1326,6 +1750,38 @@ Programm: %2</translation>
     <message>
         <source>Drawings (*.dxf *.DXF);;All files (*)</source>
         <translation>Zeichnungen (*.dxf *.DXF);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>Auftrag</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Einrichten</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Betrieb</translation>
+    </message>
+    <message>
+        <source>Profiles</source>
+        <translation>Profile</translation>
+    </message>
+    <message>
+        <source>The machine is moving</source>
+        <translation>Die Maschine ist in Bewegung</translation>
+    </message>
+    <message>
+        <source>Stop the machine and close Arris? The job can be resumed later.</source>
+        <translation>Maschine stoppen und Arris schließen? Der Auftrag kann später fortgesetzt werden.</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>Stoppen und schließen</translation>
+    </message>
+    <message>
+        <source>Keep running</source>
+        <translation>Weiterlaufen lassen</translation>
     </message>
 </context>
 <context>
@@ -1454,6 +1910,125 @@ mm</translation>
     </message>
 </context>
 <context>
+    <name>arris::ui::ProfilesPage</name>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Open an exported profile or the record of a run</source>
+        <translation>Ein exportiertes Profil oder die Aufzeichnung eines Laufs öffnen</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>Geplant</translation>
+    </message>
+    <message>
+        <source>Back to the planned profile alone</source>
+        <translation>Zurück zum geplanten Profil allein</translation>
+    </message>
+    <message>
+        <source>Over the plan</source>
+        <translation>Über dem Plan</translation>
+    </message>
+    <message>
+        <source>Show the plan under the open file</source>
+        <translation>Den Plan unter der geöffneten Datei zeigen</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>Bild …</translation>
+    </message>
+    <message>
+        <source>Save a picture as SVG, PNG or PDF</source>
+        <translation>Ein Bild als SVG, PNG oder PDF speichern</translation>
+    </message>
+    <message>
+        <source>Previous corner</source>
+        <translation>Vorige Ecke</translation>
+    </message>
+    <message>
+        <source>Next corner</source>
+        <translation>Nächste Ecke</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Schleifen</translation>
+    </message>
+    <message>
+        <source>From the first lead-in to the last lead-out</source>
+        <translation>Vom ersten Anfahren bis zum letzten Abfahren</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>From the start of the program to its end</source>
+        <translation>Vom Anfang des Programms bis zu seinem Ende</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Reading or writing…</source>
+        <translation>Lesen oder Schreiben …</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>%1, drawn thin over the plan, which is wide and pale</source>
+        <translation>%1, dünn über dem Plan gezeichnet; er ist breit und blass</translation>
+    </message>
+    <message>
+        <source>Planned: %1</source>
+        <translation>Geplant: %1</translation>
+    </message>
+    <message>
+        <source>Planning…</source>
+        <translation>Planen …</translation>
+    </message>
+    <message>
+        <source>The pattern cannot be ground: there is no planned profile.</source>
+        <translation>Das Muster ist nicht schleifbar: Es gibt kein geplantes Profil.</translation>
+    </message>
+    <message>
+        <source>No pattern is open. Profiles and records of runs can be opened all the same.</source>
+        <translation>Kein Muster ist geöffnet. Profile und Aufzeichnungen von Läufen lassen sich trotzdem öffnen.</translation>
+    </message>
+    <message>
+        <source>Open profile or record</source>
+        <translation>Profil oder Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Records and profiles (*.arrisrun *.csv *.CSV);;All files (*)</source>
+        <translation>Aufzeichnungen und Profile (*.arrisrun *.csv *.CSV);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+</context>
+<context>
     <name>arris::ui::RecipePanel</name>
     <message>
         <source>&amp;Open pattern…</source>
@@ -1484,6 +2059,194 @@ mm</translation>
 the wheel cannot reach</source>
         <translation>Unerreichbares bleibt
 ungeschliffen</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::RunPage</name>
+    <message>
+        <source>CYCLE START</source>
+        <translation>ZYKLUSSTART</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Table, mm</source>
+        <translation>Tisch, mm</translation>
+    </message>
+    <message>
+        <source>Machine, mm</source>
+        <translation>Maschine, mm</translation>
+    </message>
+    <message>
+        <source>Speed, mm/s</source>
+        <translation>Geschw., mm/s</translation>
+    </message>
+    <message>
+        <source>Feed override</source>
+        <translation>Vorschub-Override</translation>
+    </message>
+    <message>
+        <source>Lower feed override</source>
+        <translation>Vorschub-Override senken</translation>
+    </message>
+    <message>
+        <source>Higher feed override</source>
+        <translation>Vorschub-Override erhöhen</translation>
+    </message>
+    <message>
+        <source>Fewer panes</source>
+        <translation>Weniger Scheiben</translation>
+    </message>
+    <message>
+        <source>More panes</source>
+        <translation>Mehr Scheiben</translation>
+    </message>
+    <message>
+        <source>Load job</source>
+        <translation>Auftrag laden</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>Scheiben</translation>
+    </message>
+    <message>
+        <source>◀ Step back</source>
+        <translation>◀ Schritt zurück</translation>
+    </message>
+    <message>
+        <source>Step on ▶</source>
+        <translation>Schritt vor ▶</translation>
+    </message>
+    <message>
+        <source>RESUME</source>
+        <translation>FORTSETZEN</translation>
+    </message>
+    <message>
+        <source>Keep it pressed until the ring is full.</source>
+        <translation>Gedrückt halten, bis der Ring voll ist.</translation>
+    </message>
+    <message>
+        <source>Changed since it was loaded: load the job again for the next pane.</source>
+        <translation>Seit dem Laden geändert: für die nächste Scheibe Auftrag neu laden.</translation>
+    </message>
+    <message>
+        <source>CYCLE START
+where it was broken off</source>
+        <translation>ZYKLUSSTART
+an der Abbruchstelle</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Spindle: %1
+Coolant: %2
+Vacuum: %3</source>
+        <translation>Spindel: %1
+Kühlmittel: %2
+Vakuum: %3</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>at speed</source>
+        <translation>auf Drehzahl</translation>
+    </message>
+    <message>
+        <source>comes up to speed</source>
+        <translation>läuft hoch</translation>
+    </message>
+    <message>
+        <source>flows</source>
+        <translation>fließt</translation>
+    </message>
+    <message>
+        <source>holds the glass</source>
+        <translation>hält das Glas</translation>
+    </message>
+    <message>
+        <source>Time left: %1</source>
+        <translation>Restzeit: %1</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::SetupPage</name>
+    <message>
+        <source>Drives</source>
+        <translation>Antriebe</translation>
+    </message>
+    <message>
+        <source>Switch drives on</source>
+        <translation>Antriebe einschalten</translation>
+    </message>
+    <message>
+        <source>Home all axes</source>
+        <translation>Alle Achsen referenzieren</translation>
+    </message>
+    <message>
+        <source>Switch drives off</source>
+        <translation>Antriebe ausschalten</translation>
+    </message>
+    <message>
+        <source>Ways above the glass</source>
+        <translation>Fahrten über dem Glas</translation>
+    </message>
+    <message>
+        <source>Trace the outline at height</source>
+        <translation>Umriss über Glas abfahren</translation>
+    </message>
+    <message>
+        <source>Go to the park position</source>
+        <translation>Parkposition anfahren</translation>
+    </message>
+    <message>
+        <source>Jog: moves as long as a button is pressed</source>
+        <translation>Tippen: fährt, solange eine Taste gedrückt ist</translation>
+    </message>
+    <message>
+        <source>Fast</source>
+        <translation>Schnell</translation>
+    </message>
+    <message>
+        <source>Simulated machine</source>
+        <translation>Simulierte Maschine</translation>
+    </message>
+    <message>
+        <source>Mend everything</source>
+        <translation>Alles beheben</translation>
+    </message>
+    <message>
+        <source>Read the alarm above, mend its cause, acknowledge it.</source>
+        <translation>Alarm oben lesen, Ursache beheben, quittieren.</translation>
+    </message>
+    <message>
+        <source>Next: switch the drives on.</source>
+        <translation>Als Nächstes: Antriebe einschalten.</translation>
+    </message>
+    <message>
+        <source>Next: home all axes, so that their places are known.</source>
+        <translation>Als Nächstes: alle Achsen referenzieren, damit ihre Positionen bekannt sind.</translation>
+    </message>
+    <message>
+        <source>Next: load the job on the page Run.</source>
+        <translation>Als Nächstes: Auftrag auf der Seite „Betrieb“ laden.</translation>
+    </message>
+    <message>
+        <source>Ready for the cycle start on the page Run.</source>
+        <translation>Bereit für den Zyklusstart auf der Seite „Betrieb“.</translation>
+    </message>
+    <message>
+        <source>X %1   Y %2   Z %3 mm</source>
+        <translation>X %1   Y %2   Z %3 mm</translation>
+    </message>
+    <message>
+        <source>The places are not known yet.</source>
+        <translation>Die Positionen sind noch nicht bekannt.</translation>
     </message>
 </context>
 <context>

@@ -73,6 +73,268 @@
     </message>
 </context>
 <context>
+    <name>Fault</name>
+    <message>
+        <source>The emergency stop has tripped.</source>
+        <translation>急停已触发。</translation>
+    </message>
+    <message>
+        <source>Somebody pressed it, or its circuit is open.</source>
+        <translation>急停按钮被按下，或急停回路断开。</translation>
+    </message>
+    <message>
+        <source>Make the machine safe, release the button, acknowledge.</source>
+        <translation>确保机床安全，松开急停按钮，确认报警。</translation>
+    </message>
+    <message>
+        <source>The encoder of {axis} gives no signal.</source>
+        <translation>{axis} 轴编码器无信号。</translation>
+    </message>
+    <message>
+        <source>A cable is broken or loose, or the encoder is dirty.</source>
+        <translation>电缆断开或松动，或编码器脏污。</translation>
+    </message>
+    <message>
+        <source>Mend the encoder or its cable, acknowledge, home again.</source>
+        <translation>修复编码器或其电缆，确认报警，重新回零。</translation>
+    </message>
+    <message>
+        <source>The axes report nothing any more.</source>
+        <translation>各轴无反馈。</translation>
+    </message>
+    <message>
+        <source>The connection to the drives is broken.</source>
+        <translation>与驱动器的连接中断。</translation>
+    </message>
+    <message>
+        <source>Mend the connection, acknowledge, home again.</source>
+        <translation>修复连接，确认报警，重新回零。</translation>
+    </message>
+    <message>
+        <source>A set-point of {axis} was no number, or jumped by {value} mm/s² more than the axis can follow.</source>
+        <translation>{axis} 轴设定值无效，或其跳变超出该轴跟随能力 {value} mm/s²。</translation>
+    </message>
+    <message>
+        <source>A fault in Arris.</source>
+        <translation>Arris 内部故障。</translation>
+    </message>
+    <message>
+        <source>Save a support bundle and report it. Acknowledge to go on.</source>
+        <translation>保存支持包并上报。确认报警后可继续。</translation>
+    </message>
+    <message>
+        <source>{axis} stands {value} mm away from its set-point.</source>
+        <translation>{axis} 轴偏离设定值 {value} mm。</translation>
+    </message>
+    <message>
+        <source>The axis is blocked, or its drive is too weak.</source>
+        <translation>轴卡住，或驱动力不足。</translation>
+    </message>
+    <message>
+        <source>Free the axis, check the drive, acknowledge.</source>
+        <translation>排除卡阻，检查驱动器，确认报警。</translation>
+    </message>
+    <message>
+        <source>The drive of {axis} reports a fault.</source>
+        <translation>{axis} 轴驱动器报故障。</translation>
+    </message>
+    <message>
+        <source>Overload, overheating, or a fault in the supply.</source>
+        <translation>过载、过热或电源故障。</translation>
+    </message>
+    <message>
+        <source>Read the drive&apos;s own display, mend it, acknowledge.</source>
+        <translation>查看驱动器显示，排除故障，确认报警。</translation>
+    </message>
+    <message>
+        <source>The drive of {axis} is not ready.</source>
+        <translation>{axis} 轴驱动器未就绪。</translation>
+    </message>
+    <message>
+        <source>Its supply is off, or a safety circuit is open.</source>
+        <translation>驱动器电源未接通，或安全回路断开。</translation>
+    </message>
+    <message>
+        <source>Switch the drive&apos;s supply on, acknowledge.</source>
+        <translation>接通驱动器电源，确认报警。</translation>
+    </message>
+    <message>
+        <source>{axis} has hit a limit switch.</source>
+        <translation>{axis} 轴碰到限位开关。</translation>
+    </message>
+    <message>
+        <source>The axis ran past the end of its travel.</source>
+        <translation>轴超出行程终点。</translation>
+    </message>
+    <message>
+        <source>Acknowledge, jog the axis back, home again.</source>
+        <translation>确认报警，点动退回该轴，重新回零。</translation>
+    </message>
+    <message>
+        <source>{axis} would leave its travel.</source>
+        <translation>{axis} 轴将超出行程。</translation>
+    </message>
+    <message>
+        <source>The origin was moved, or the pattern lies too far out.</source>
+        <translation>原点被移动，或图样位置过于靠外。</translation>
+    </message>
+    <message>
+        <source>Acknowledge, set the origin, load the job again.</source>
+        <translation>确认报警，设定原点，重新加载任务。</translation>
+    </message>
+    <message>
+        <source>{axis} has not found its reference switch.</source>
+        <translation>{axis} 轴未找到参考点开关。</translation>
+    </message>
+    <message>
+        <source>The switch is broken, or the axis did not move.</source>
+        <translation>开关损坏，或轴未移动。</translation>
+    </message>
+    <message>
+        <source>Check the switch and the axis, acknowledge, home again.</source>
+        <translation>检查开关和轴，确认报警，重新回零。</translation>
+    </message>
+    <message>
+        <source>The rotary buffers ran dry; the wheel was stopped on its path.</source>
+        <translation>循环缓冲区已空；磨轮已在路径上停止。</translation>
+    </message>
+    <message>
+        <source>The computer was too busy to supply the controller.</source>
+        <translation>计算机负载过高，未能及时向控制器供给数据。</translation>
+    </message>
+    <message>
+        <source>Close other programs, acknowledge, resume the job.</source>
+        <translation>关闭其他程序，确认报警，继续任务。</translation>
+    </message>
+    <message>
+        <source>The axes report late, by {value} ms.</source>
+        <translation>各轴反馈延迟 {value} ms。</translation>
+    </message>
+    <message>
+        <source>The computer or the connection to the drives is overloaded.</source>
+        <translation>计算机或与驱动器的连接过载。</translation>
+    </message>
+    <message>
+        <source>The axes had no set-point for {value} periods.</source>
+        <translation>各轴连续 {value} 个周期无设定值。</translation>
+    </message>
+    <message>
+        <source>The computer was too busy to supply them in time.</source>
+        <translation>计算机负载过高，未能及时提供设定值。</translation>
+    </message>
+    <message>
+        <source>The operator&apos;s side has not answered for half a second.</source>
+        <translation>操作端已有半秒无响应。</translation>
+    </message>
+    <message>
+        <source>The program hangs or has ended.</source>
+        <translation>程序无响应或已退出。</translation>
+    </message>
+    <message>
+        <source>Start Arris again, resume the job.</source>
+        <translation>重新启动 Arris，继续任务。</translation>
+    </message>
+    <message>
+        <source>The spindle has lost its speed on the glass.</source>
+        <translation>磨削中主轴失速。</translation>
+    </message>
+    <message>
+        <source>The wheel is overloaded or blocked, or the spindle&apos;s drive has a fault.</source>
+        <translation>磨轮过载或卡住，或主轴驱动器故障。</translation>
+    </message>
+    <message>
+        <source>Check wheel and spindle, acknowledge, resume the job.</source>
+        <translation>检查磨轮和主轴，确认报警，继续任务。</translation>
+    </message>
+    <message>
+        <source>The coolant has stopped flowing on the glass.</source>
+        <translation>磨削中冷却液断流。</translation>
+    </message>
+    <message>
+        <source>The tank is empty, or the pump or a filter is blocked.</source>
+        <translation>水箱已空，或泵或过滤器堵塞。</translation>
+    </message>
+    <message>
+        <source>Mend the coolant, acknowledge, resume the job.</source>
+        <translation>恢复冷却液供给，确认报警，继续任务。</translation>
+    </message>
+    <message>
+        <source>The vacuum does not hold the glass.</source>
+        <translation>真空未吸住玻璃。</translation>
+    </message>
+    <message>
+        <source>A cup leaks, or the pump is off.</source>
+        <translation>吸盘漏气，或真空泵未开。</translation>
+    </message>
+    <message>
+        <source>Check cups and pump, place the glass again, acknowledge.</source>
+        <translation>检查吸盘和真空泵，重新放置玻璃，确认报警。</translation>
+    </message>
+    <message>
+        <source>The spindle does not reach its speed.</source>
+        <translation>主轴未达到设定转速。</translation>
+    </message>
+    <message>
+        <source>The spindle&apos;s drive is off or has a fault.</source>
+        <translation>主轴驱动器未接通或故障。</translation>
+    </message>
+    <message>
+        <source>Check the spindle, acknowledge, start again.</source>
+        <translation>检查主轴，确认报警，重新启动。</translation>
+    </message>
+    <message>
+        <source>The coolant does not flow.</source>
+        <translation>无冷却液流动。</translation>
+    </message>
+    <message>
+        <source>The tank is empty, a valve is closed, or the pump is off.</source>
+        <translation>水箱已空、阀门关闭或泵未开。</translation>
+    </message>
+    <message>
+        <source>Check the coolant, acknowledge, start again.</source>
+        <translation>检查冷却液，确认报警，重新启动。</translation>
+    </message>
+    <message>
+        <source>an axis</source>
+        <translation>某</translation>
+    </message>
+</context>
+<context>
+    <name>JobState</name>
+    <message>
+        <source>Idle</source>
+        <translation>空闲</translation>
+    </message>
+    <message>
+        <source>Queued</source>
+        <translation>排队中</translation>
+    </message>
+    <message>
+        <source>Released</source>
+        <translation>已下达</translation>
+    </message>
+    <message>
+        <source>Initialized</source>
+        <translation>已初始化</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>运行中</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>已中断</translation>
+    </message>
+    <message>
+        <source>Aborted</source>
+        <translation>已中止</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>已结束</translation>
+    </message>
+</context>
+<context>
     <name>Legend</name>
     <message>
         <source>Finished contour</source>
@@ -970,6 +1232,50 @@
         <source>it is damaged</source>
         <translation>数据已损坏</translation>
     </message>
+    <message>
+        <source>File too large</source>
+        <translation>文件过大</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>文件为空</translation>
+    </message>
+    <message>
+        <source>it has no rows</source>
+        <translation>没有数据行</translation>
+    </message>
+    <message>
+        <source>the time does not increase</source>
+        <translation>时间没有递增</translation>
+    </message>
+    <message>
+        <source>the column {} is missing</source>
+        <translation>缺少列 {}</translation>
+    </message>
+    <message>
+        <source>the column {} stands twice</source>
+        <translation>列 {} 出现两次</translation>
+    </message>
+    <message>
+        <source>{} fields instead of {}</source>
+        <translation>有 {} 个字段，应为 {} 个</translation>
+    </message>
+    <message>
+        <source>distance_mm must be empty where corner is 0</source>
+        <translation>corner 为 0 时 distance_mm 必须为空</translation>
+    </message>
+    <message>
+        <source>{} must be a finite number, not {}</source>
+        <translation>{} 必须是有限数值，而不是 {}</translation>
+    </message>
+    <message>
+        <source>{} must be a whole number from 0 on, not {}</source>
+        <translation>{} 必须是不小于 0 的整数，而不是 {}</translation>
+    </message>
+    <message>
+        <source>{} is no phase</source>
+        <translation>{} 不是任何阶段</translation>
+    </message>
 </context>
 <context>
     <name>ProfilePage</name>
@@ -1090,6 +1396,120 @@
     <message>
         <source>Tolerance of fitting chopped curves</source>
         <translation>碎线段拟合公差</translation>
+    </message>
+</context>
+<context>
+    <name>SimulatedFault</name>
+    <message>
+        <source>Coolant fails</source>
+        <translation>冷却液故障</translation>
+    </message>
+    <message>
+        <source>Spindle fails</source>
+        <translation>主轴故障</translation>
+    </message>
+    <message>
+        <source>Vacuum fails</source>
+        <translation>真空故障</translation>
+    </message>
+    <message>
+        <source>Drive of X fails</source>
+        <translation>X 轴驱动器故障</translation>
+    </message>
+    <message>
+        <source>X is stuck</source>
+        <translation>X 轴卡住</translation>
+    </message>
+    <message>
+        <source>Emergency stop trips</source>
+        <translation>急停触发</translation>
+    </message>
+</context>
+<context>
+    <name>State</name>
+    <message>
+        <source>Drives off</source>
+        <translation>驱动关闭</translation>
+    </message>
+    <message>
+        <source>Not homed</source>
+        <translation>未回零</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation>回零中</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>启动中</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>运行中</translation>
+    </message>
+    <message>
+        <source>Holding</source>
+        <translation>正在保持</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>已保持</translation>
+    </message>
+    <message>
+        <source>Stepping</source>
+        <translation>单步中</translation>
+    </message>
+    <message>
+        <source>Jogging</source>
+        <translation>点动中</translation>
+    </message>
+    <message>
+        <source>Positioning</source>
+        <translation>定位中</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>停止中</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::AlarmBanner</name>
+    <message>
+        <source>Acknowledge</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>%1 of %2 panes done</source>
+        <translation>已完成 %1 / %2 片</translation>
+    </message>
+    <message>
+        <source>No job is loaded</source>
+        <translation>未加载任务</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::ControlStrip</name>
+    <message>
+        <source>FEED
+HOLD</source>
+        <translation>进给
+保持</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>停止</translation>
     </message>
 </context>
 <context>
@@ -1244,6 +1664,10 @@ mm</translation>
 <context>
     <name>arris::ui::FindingsPanel</name>
     <message>
+        <source>Corner</source>
+        <translation>转角</translation>
+    </message>
+    <message>
         <source>Corners</source>
         <translation>转角</translation>
     </message>
@@ -1326,6 +1750,38 @@ Whole program: %2</source>
     <message>
         <source>Drawings (*.dxf *.DXF);;All files (*)</source>
         <translation>图纸 (*.dxf *.DXF);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>准备</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Profiles</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>The machine is moving</source>
+        <translation>机床正在运动</translation>
+    </message>
+    <message>
+        <source>Stop the machine and close Arris? The job can be resumed later.</source>
+        <translation>停止机床并关闭 Arris？任务可稍后继续。</translation>
+    </message>
+    <message>
+        <source>Stop and close</source>
+        <translation>停止并关闭</translation>
+    </message>
+    <message>
+        <source>Keep running</source>
+        <translation>继续运行</translation>
     </message>
 </context>
 <context>
@@ -1454,6 +1910,125 @@ mm</translation>
     </message>
 </context>
 <context>
+    <name>arris::ui::ProfilesPage</name>
+    <message>
+        <source>Open…</source>
+        <translation>打开…</translation>
+    </message>
+    <message>
+        <source>Open an exported profile or the record of a run</source>
+        <translation>打开导出的速度曲线或运行记录</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>计划</translation>
+    </message>
+    <message>
+        <source>Back to the planned profile alone</source>
+        <translation>只显示计划的速度曲线</translation>
+    </message>
+    <message>
+        <source>Over the plan</source>
+        <translation>叠加计划</translation>
+    </message>
+    <message>
+        <source>Show the plan under the open file</source>
+        <translation>在打开的文件下方显示计划</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>图片…</translation>
+    </message>
+    <message>
+        <source>Save a picture as SVG, PNG or PDF</source>
+        <translation>保存为 SVG、PNG 或 PDF 图片</translation>
+    </message>
+    <message>
+        <source>Previous corner</source>
+        <translation>上一个角</translation>
+    </message>
+    <message>
+        <source>Next corner</source>
+        <translation>下一个角</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>缩小</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>放大</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>磨削</translation>
+    </message>
+    <message>
+        <source>From the first lead-in to the last lead-out</source>
+        <translation>从第一次切入到最后一次切出</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>From the start of the program to its end</source>
+        <translation>从程序开始到结束</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>正在读取</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>计划</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Reading or writing…</source>
+        <translation>正在读取或写入…</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>%1, drawn thin over the plan, which is wide and pale</source>
+        <translation>%1，细线叠加在计划之上；计划为浅色宽线</translation>
+    </message>
+    <message>
+        <source>Planned: %1</source>
+        <translation>计划：%1</translation>
+    </message>
+    <message>
+        <source>Planning…</source>
+        <translation>正在规划…</translation>
+    </message>
+    <message>
+        <source>The pattern cannot be ground: there is no planned profile.</source>
+        <translation>图样无法磨削：没有计划的速度曲线。</translation>
+    </message>
+    <message>
+        <source>No pattern is open. Profiles and records of runs can be opened all the same.</source>
+        <translation>没有打开的图样。仍可打开速度曲线和运行记录。</translation>
+    </message>
+    <message>
+        <source>Open profile or record</source>
+        <translation>打开速度曲线或记录</translation>
+    </message>
+    <message>
+        <source>Records and profiles (*.arrisrun *.csv *.CSV);;All files (*)</source>
+        <translation>记录和速度曲线 (*.arrisrun *.csv *.CSV);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>保存图片</translation>
+    </message>
+</context>
+<context>
     <name>arris::ui::RecipePanel</name>
     <message>
         <source>&amp;Open pattern…</source>
@@ -1484,6 +2059,194 @@ mm</translation>
 the wheel cannot reach</source>
         <translation>磨轮磨不到的部分
 允许不磨</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::RunPage</name>
+    <message>
+        <source>CYCLE START</source>
+        <translation>循环启动</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Table, mm</source>
+        <translation>工作台坐标，mm</translation>
+    </message>
+    <message>
+        <source>Machine, mm</source>
+        <translation>机床坐标，mm</translation>
+    </message>
+    <message>
+        <source>Speed, mm/s</source>
+        <translation>速度，mm/s</translation>
+    </message>
+    <message>
+        <source>Feed override</source>
+        <translation>进给倍率</translation>
+    </message>
+    <message>
+        <source>Lower feed override</source>
+        <translation>降低进给倍率</translation>
+    </message>
+    <message>
+        <source>Higher feed override</source>
+        <translation>提高进给倍率</translation>
+    </message>
+    <message>
+        <source>Fewer panes</source>
+        <translation>减少片数</translation>
+    </message>
+    <message>
+        <source>More panes</source>
+        <translation>增加片数</translation>
+    </message>
+    <message>
+        <source>Load job</source>
+        <translation>加载任务</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>片数</translation>
+    </message>
+    <message>
+        <source>◀ Step back</source>
+        <translation>◀ 单步后退</translation>
+    </message>
+    <message>
+        <source>Step on ▶</source>
+        <translation>单步前进 ▶</translation>
+    </message>
+    <message>
+        <source>RESUME</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Keep it pressed until the ring is full.</source>
+        <translation>按住直至圆环填满。</translation>
+    </message>
+    <message>
+        <source>Changed since it was loaded: load the job again for the next pane.</source>
+        <translation>加载后已更改：加工下一片前请重新加载任务。</translation>
+    </message>
+    <message>
+        <source>CYCLE START
+where it was broken off</source>
+        <translation>循环启动
+从中断处继续</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Spindle: %1
+Coolant: %2
+Vacuum: %3</source>
+        <translation>主轴：%1
+冷却液：%2
+真空：%3</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>at speed</source>
+        <translation>已达转速</translation>
+    </message>
+    <message>
+        <source>comes up to speed</source>
+        <translation>升速中</translation>
+    </message>
+    <message>
+        <source>flows</source>
+        <translation>流动正常</translation>
+    </message>
+    <message>
+        <source>holds the glass</source>
+        <translation>已吸住玻璃</translation>
+    </message>
+    <message>
+        <source>Time left: %1</source>
+        <translation>剩余时间：%1</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::SetupPage</name>
+    <message>
+        <source>Drives</source>
+        <translation>驱动</translation>
+    </message>
+    <message>
+        <source>Switch drives on</source>
+        <translation>接通驱动</translation>
+    </message>
+    <message>
+        <source>Home all axes</source>
+        <translation>所有轴回零</translation>
+    </message>
+    <message>
+        <source>Switch drives off</source>
+        <translation>关闭驱动</translation>
+    </message>
+    <message>
+        <source>Ways above the glass</source>
+        <translation>玻璃上方移动</translation>
+    </message>
+    <message>
+        <source>Trace the outline at height</source>
+        <translation>在安全高度沿轮廓空走</translation>
+    </message>
+    <message>
+        <source>Go to the park position</source>
+        <translation>移至停放位置</translation>
+    </message>
+    <message>
+        <source>Jog: moves as long as a button is pressed</source>
+        <translation>点动：按住按钮时移动</translation>
+    </message>
+    <message>
+        <source>Fast</source>
+        <translation>快速</translation>
+    </message>
+    <message>
+        <source>Simulated machine</source>
+        <translation>模拟机床</translation>
+    </message>
+    <message>
+        <source>Mend everything</source>
+        <translation>全部恢复正常</translation>
+    </message>
+    <message>
+        <source>Read the alarm above, mend its cause, acknowledge it.</source>
+        <translation>查看上方报警，排除原因，然后确认。</translation>
+    </message>
+    <message>
+        <source>Next: switch the drives on.</source>
+        <translation>下一步：接通驱动。</translation>
+    </message>
+    <message>
+        <source>Next: home all axes, so that their places are known.</source>
+        <translation>下一步：所有轴回零，以确定位置。</translation>
+    </message>
+    <message>
+        <source>Next: load the job on the page Run.</source>
+        <translation>下一步：在“运行”页加载任务。</translation>
+    </message>
+    <message>
+        <source>Ready for the cycle start on the page Run.</source>
+        <translation>就绪，可在“运行”页循环启动。</translation>
+    </message>
+    <message>
+        <source>X %1   Y %2   Z %3 mm</source>
+        <translation>X %1   Y %2   Z %3 mm</translation>
+    </message>
+    <message>
+        <source>The places are not known yet.</source>
+        <translation>位置尚未确定。</translation>
     </message>
 </context>
 <context>

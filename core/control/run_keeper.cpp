@@ -13,7 +13,7 @@ namespace {
 
 base::Expected<void> tryToWriteIn(const std::filesystem::path& folder) {
   const std::filesystem::path trial = folder / ".trial";
-  const auto written = files::writeWholeFile(trial, "");
+  base::Expected<void> written = files::writeWholeFile(trial, "");
   std::error_code ignored;
   std::filesystem::remove(trial, ignored);
   return written;

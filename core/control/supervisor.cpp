@@ -1,5 +1,6 @@
 #include "core/control/supervisor.h"
 
+#include "core/control/channels.h"
 #include "core/job/program_track.h"
 #include "core/toolpath/glass.h"
 
@@ -31,7 +32,7 @@ constexpr std::int64_t kLaunchPatience = 200;
 Supervisor::Supervisor(recipe::Machine machine, Channels& channels, Listener listener, std::launch planning)
     : m_machine(std::move(machine)), m_channels(channels), m_listener(std::move(listener)), m_planning(planning) {}
 
-bool Supervisor::send(const Command& command) {
+template <typename Command> bool Supervisor::send(const Command& command) {
   return m_channels.commands.push(command);
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
-#include "core/control/channels.h"
+#include "core/control/report.h"
 #include "core/program/manoeuvres.h"
+#include "core/program/stream.h"
+#include "core/recipe/recipe.h"
 
 #include <functional>
 #include <future>
@@ -9,6 +11,8 @@
 #include <optional>
 
 namespace arris::control {
+
+struct Channels;
 
 /// The operator's side of the controller: keeps the job that is loaded, supplies the rotary buffers, plans steps and
 /// re-entries, and turns what the operator wants into commands when their time has come. Shares nothing with the
@@ -115,7 +119,7 @@ private:
   void doWhatPanelWants();
   void doWhatWaits();
   void supply();
-  bool send(const Command& command);
+  template <typename Command> bool send(const Command& command);
   template <typename Way> bool plan(Way way, bool beginsRun, const program::JobPlace& place = {});
   bool takePlan();
   void giveUpPlans();

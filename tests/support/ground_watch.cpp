@@ -17,7 +17,7 @@ constexpr std::size_t kRemembered = 4096;
 constexpr double kThere = 1e-6;
 
 /// A place beside a transition may be told so wrong, mm.
-constexpr double kPlaceRounding = 1e-3;
+constexpr double kGroundRounding = 1e-3;
 
 bool isOfContour(Move move) {
   return move == Move::Contour || move == Move::Transition || move == Move::Roll;
@@ -46,7 +46,7 @@ void GroundWatch::add(const Report& report) {
 void GroundWatch::pass(const Ordered& reached) {
   if (reached.program != m_program) { // in the first period the wheel is a little behind where it joined the way
     const double passedOver = workBetween(m_reached, reached.place) - reached.speed * m_job.machine.period;
-    if (passedOver > kPlaceRounding && m_missing.empty()) {
+    if (passedOver > kGroundRounding && m_missing.empty()) {
       m_missing = fmt::format("{} mm were not ground behind λ {} of segment {}", passedOver, m_reached.lambda,
                               m_reached.segment);
     }
@@ -78,7 +78,7 @@ std::string GroundWatch::missing(bool isOver) const {
   const int last = static_cast<int>(m_job.track.size()) - 1;
   const JobPlace end{last, motion::parameterLength(m_job.track.back())};
   const double left = isOver ? workBetween(m_reached, end) : 0;
-  return m_missing.empty() && left > kPlaceRounding ? fmt::format("the last {} mm were not ground", left) : m_missing;
+  return m_missing.empty() && left > kGroundRounding ? fmt::format("the last {} mm were not ground", left) : m_missing;
 }
 
 } // namespace arris::test

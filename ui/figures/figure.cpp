@@ -118,14 +118,20 @@ QByteArray encoded(const Figure& figure, FigureFormat format) {
   return {};
 }
 
-base::Expected<void> renderToFile(const Figure& figure, const std::filesystem::path& file) {
+base::Expected<QByteArray> encodedFor(const Figure& figure, const std::filesystem::path& file) {
   const std::optional<FigureFormat> format = figureFormat(file);
   if (!format) {
     return base::Unexpected(base::Problem(base::Code::ValueNotAChoice, {{"name", "The ending of " + file.string()},
                                                                         {"value", file.extension().string()},
                                                                         {"choices", ".svg, .pdf, .png"}}));
   }
-  return files::writeWholeFile(file, encoded(figure, *format).toStdString());
+  return encoded(figure, *format);
+}
+
+base::Expected<void> renderToFile(const Figure& figure, const std::filesystem::path& file) {
+  return encodedFor(figure, file).and_then([&](const QByteArray& bytes) {
+    return files::writeWholeFile(file, bytes.toStdString());
+  });
 }
 
 } // namespace arris::ui

@@ -36,6 +36,9 @@ enum class FigureFormat { Svg, Pdf, Png };
 /// no dates inside.
 [[nodiscard]] QByteArray encoded(const Figure& figure, FigureFormat format);
 
+/// The same in the format of a file's ending; ValueNotAChoice for another ending.
+[[nodiscard]] base::Expected<QByteArray> encodedFor(const Figure& figure, const std::filesystem::path& file);
+
 /// Writes the figure in the format of the file's ending, whole or not at all. ValueNotAChoice for another ending,
 /// CannotWrite with the reason.
 [[nodiscard]] base::Expected<void> renderToFile(const Figure& figure, const std::filesystem::path& file);

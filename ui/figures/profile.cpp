@@ -14,7 +14,7 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 // Curves are kept as if drawn this large, in pixels: a screen can be zoomed in twenty times before it shows.
 constexpr double kDetailWidth = 60000;
 constexpr double kDetailHeight = 6000;
-constexpr double kDetail = 0.5;
+constexpr double kDetail = 0.05; // their values are read too: to 0.05 mm/s where a rapid makes 5000 mm/s
 
 const std::vector<double>& columnOf(const ProfileColumns& columns, Panel panel) {
   switch (panel) {
@@ -213,6 +213,44 @@ ProfileCurves curvesOf(const ProfileColumns& columns, const QString& name) {
     curves.range[at] = rangeOf(columns, static_cast<Panel>(i));
   }
   return curves;
+}
+
+double curveValue(const QPolygonF& curve, double time) {
+  const auto after = std::lower_bound(curve.begin(), curve.end(), time,
+                                      [](const QPointF& point, double sought) { return point.x() < sought; });
+  if (after == curve.end()) {
+    return kNothing;
+  }
+  if (after->x() == time || after == curve.begin()) {
+    return after->x() == time ? after->y() : kNothing;
+  }
+  const QPointF& a = *std::prev(after);
+  return a.y() + (after->y() - a.y()) * (time - a.x()) / (after->x() - a.x());
+}
+
+std::vector<CornerPass> cornerPasses(const ProfileCurves& curves) {
+  std::vector<CornerPass> passes;
+  Zone before = Zone::None;
+  std::optional<double> entered;
+  for (const CornerBand& band : curves.bands) {
+    if (band.corner == 0) {
+      continue;
+    }
+    if (passes.empty() || passes.back().corner != band.corner || band.zone < before) {
+      passes.push_back({band.corner, band.from, band.to, 0});
+      entered.reset();
+    }
+    if (band.zone == Zone::Corner && !entered) {
+      entered = band.from;
+    }
+    CornerPass& pass = passes.back();
+    pass.to = band.to;
+    if (band.zone == Zone::Corner || !entered) {
+      pass.middle = (entered.value_or(pass.from) + band.to) / 2;
+    }
+    before = band.zone;
+  }
+  return passes;
 }
 
 QPolygonF thinnedCurve(const QPolygonF& curve, double xScale, double yScale, double tolerance) {

@@ -81,6 +81,20 @@ struct ProfileCurves {
 
 [[nodiscard]] ProfileCurves curvesOf(const ProfileColumns& columns, const QString& name);
 
+/// The value of a curve at a time, between its points on a straight line; NaN before, after and in gaps.
+[[nodiscard]] double curveValue(const QPolygonF& curve, double time);
+
+/// One pass of a corner, from the first braking to the last accelerating for it, s.
+struct CornerPass {
+  int corner = 0;
+  double from = 0;
+  double to = 0;
+  double middle = 0; ///< of the time in the corner itself; of all of it where the wheel never is there
+};
+
+/// The passes in the order of time. A hold does not divide them.
+[[nodiscard]] std::vector<CornerPass> cornerPasses(const ProfileCurves& curves);
+
 /// A curve over time as it looks where `xScale` and `yScale` are device units per s and per unit of value: dense
 /// stretches are reduced to what the pen would draw, all within `tolerance` device units. NaN stays a gap.
 [[nodiscard]] QPolygonF thinnedCurve(const QPolygonF& curve, double xScale, double yScale, double tolerance);

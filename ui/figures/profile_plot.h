@@ -6,6 +6,7 @@
 #include <qcustomplot.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace arris::ui {
@@ -14,6 +15,7 @@ class CornerBands;
 
 /// Velocity and acceleration of X and Y, path speed and distance to the corner over one time axis, with the corners
 /// marked and the limits drawn; after the paper's Figures 8 and 10. The window shows it, figures are printed from it.
+/// With the focus, arrows move the time that is pointed at, plus and minus zoom, and Home shows the work.
 class ProfilePlot : public QCustomPlot {
   Q_OBJECT
 
@@ -31,15 +33,26 @@ public:
   void zoomIn();
   void zoomOut();
 
+  /// A line through all panels at this time; none without one.
+  void markInstant(std::optional<double> time);
+
+  /// What a panel shows and its unit on a second line, in words or as a symbol.
+  [[nodiscard]] static QString axisTitle(Panel panel, bool inWords);
+
   /// Reduces the curves to what shows on paper at this size, and cuts off what lies outside the panels.
   void prepareForPrint(const QSize& size);
 
 Q_SIGNALS:
   /// A corner's band was tapped.
   void cornerTapped(int corner);
+  /// A time was tapped, the mouse hovers over it, or arrows moved there.
+  void instantPointed(double time);
 
 protected:
+  void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
@@ -47,11 +60,15 @@ private:
   struct PanelParts {
     QCPAxisRect* rect = nullptr;
     std::vector<QCPGraph*> graphs;
+    QCPItemStraightLine* instant = nullptr;
   };
 
   void refresh();
   void zoomBy(double factor);
   void addPanel(Panel panel);
+  void addInstant(PanelParts& panel);
+  void pointAt(double x);
+  void pointBeside(int steps);
   void addSpace(int row, int height);
   void setTimes(const std::vector<ProfileCurves>& profiles);
   void addCurve(PanelParts& panel, Panel kind, const ProfileCurves& curves, bool under);
@@ -61,13 +78,13 @@ private:
   void addLimitLine(PanelParts& panel, double value, const QString& words);
   void addReliefLimits(PanelParts& panel, const ProfileLimits& limits);
   void setAxisTitles(double height);
-  [[nodiscard]] static QString axisTitle(Panel panel, bool inWords);
   [[nodiscard]] QColor colorOf(Panel panel) const;
 
   FigureStyle m_style;
   std::array<PanelParts, kPanelCount> m_panels;
   CornerBands* m_bands = nullptr;
   std::vector<CornerBand> m_cornerBands;
+  std::optional<double> m_instant;
   double m_workFrom = 0, m_workTo = 1, m_duration = 1;
 };
 

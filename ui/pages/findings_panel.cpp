@@ -15,11 +15,14 @@
 #include <QScroller>
 #include <QTableView>
 
+#include <algorithm>
+
 namespace arris::ui {
 namespace {
 
 constexpr int kProblemTab = 1;
 constexpr int kCardWidth = 300;
+constexpr int kSideBySideFrom = 960; // px
 
 void makeTouchable(QAbstractScrollArea& area) {
   QScroller::grabGesture(area.viewport(), QScroller::TouchGesture);
@@ -61,6 +64,7 @@ QWidget* FindingsPanel::makeCorners() {
   m_corners->horizontalHeader()->setSectionResizeMode(CornerModel::Treatment, QHeaderView::Stretch);
   m_card = new CornerCard;
   auto* scroll = new QScrollArea;
+  m_cardArea = scroll;
   scroll->setWidget(m_card);
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -157,7 +161,33 @@ void FindingsPanel::selectProblem(const base::Problem& problem) {
 }
 
 void FindingsPanel::setWide(bool wide) {
+  m_wide = wide;
   m_cornersLayout->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  placeCard();
+}
+
+// Beside or below the table where there is room for both, else on a tab of its own.
+void FindingsPanel::placeCard() {
+  const bool isAlone = m_wide && width() < kSideBySideFrom;
+  const int tab = indexOf(m_cardArea);
+  if (isAlone && tab < 0) {
+    addTab(m_cardArea, tr("Corner"));
+  } else if (!isAlone && tab >= 0) {
+    removeTab(tab);
+    m_cornersLayout->addWidget(m_cardArea, 1);
+    m_cardArea->show();
+  }
+}
+
+void FindingsPanel::showCard() {
+  if (m_selected != 0) {
+    setCurrentIndex(std::max(0, indexOf(m_cardArea)));
+  }
+}
+
+void FindingsPanel::resizeEvent(QResizeEvent* event) {
+  QTabWidget::resizeEvent(event);
+  placeCard();
 }
 
 } // namespace arris::ui

@@ -37,11 +37,18 @@ public:
   /// Where the panel stands below the drawing it is wide, where beside it tall.
   void setWide(bool wide);
 
+  /// Brings the figures of the corner that is selected to the front, where they have no room beside the table.
+  void showCard();
+
 Q_SIGNALS:
   void cornerChosen(int corner);
   void problemChosen(const arris::base::Problem& problem);
 
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+
 private:
+  void placeCard();
   QWidget* makeCorners();
   QWidget* makeProblems();
   QWidget* makeTimes();
@@ -56,6 +63,8 @@ private:
   QListView* m_problems = nullptr;
   QBoxLayout* m_cornersLayout = nullptr;
   CornerCard* m_card = nullptr;
+  QWidget* m_cardArea = nullptr;
+  bool m_wide = true;
 };
 
 } // namespace arris::ui

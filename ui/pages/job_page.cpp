@@ -29,6 +29,8 @@ constexpr int kFindingsWidth = 540;
 constexpr int kBesideFrom = 1500; // px: from this width on the findings stand beside the drawing
 constexpr int kStateSignSize = 24;
 constexpr int kBusyHeight = 8;
+constexpr int kComplaintWidth = 520;
+constexpr int kComplaintMargin = 10;
 constexpr double kPlotUnit = 0.5; // px per unit of figures
 
 enum View { DrawingOnly, ProfileOnly, Both };
@@ -53,8 +55,9 @@ FigureStyle plotStyle() {
 JobPage::JobPage(Planner& planner, QWidget* parent)
     : QWidget(parent), m_planner(planner), m_recipe(new RecipePanel(planner.recipe(), planner.machine())),
       m_drawing(new DrawingView), m_profile(new ProfilePlot(plotStyle())), m_findings(new FindingsPanel),
-      m_stateSign(new QLabel), m_state(new QLabel), m_busy(new QProgressBar), m_viewButtons(new QButtonGroup(this)),
-      m_views(new QSplitter(Qt::Vertical)), m_split(new QSplitter(Qt::Vertical)) {
+      m_stateSign(new QLabel), m_state(new QLabel), m_complaint(new QLabel(this)), m_busy(new QProgressBar),
+      m_viewButtons(new QButtonGroup(this)), m_views(new QSplitter(Qt::Vertical)),
+      m_split(new QSplitter(Qt::Vertical)) {
   m_recipe->setFixedWidth(kRecipeWidth);
   auto* middle = new QWidget;
   auto* middleLayout = new QVBoxLayout(middle);
@@ -71,6 +74,10 @@ JobPage::JobPage(Planner& planner, QWidget* parent)
   layout->setSpacing(0);
   layout->addWidget(m_recipe);
   layout->addWidget(m_split, 1);
+  m_complaint->setObjectName(QStringLiteral("complaint"));
+  m_complaint->setWordWrap(true);
+  m_complaint->setMargin(kComplaintMargin);
+  m_complaint->hide();
   connectPlanner();
   connectViews();
   arrange();
@@ -144,6 +151,7 @@ QWidget* JobPage::makeViews() {
 
 void JobPage::connectPlanner() {
   connect(m_recipe, &RecipePanel::recipeChanged, &m_planner, &Planner::setRecipe);
+  connect(m_recipe, &RecipePanel::complaintChanged, this, &JobPage::showComplaint);
   connect(m_recipe, &RecipePanel::openRequested, this, &JobPage::openRequested);
   connect(&m_planner, &Planner::planned, this, &JobPage::showPlan);
   connect(&m_planner, &Planner::busyChanged, this, &JobPage::showBusy);
@@ -160,6 +168,7 @@ void JobPage::connectPlanner() {
 void JobPage::connectViews() {
   connect(m_drawing, &DrawingView::cornerTapped, this, [this](int corner) {
     selectCorner(corner);
+    m_findings->showCard();
     m_drawing->zoomToCorner(corner);
   });
   connect(m_drawing, &DrawingView::findingTapped, this, [this](const base::Problem& finding) {
@@ -245,8 +254,22 @@ void JobPage::arrange() {
   m_views->setSizes({5000, 5000});
 }
 
+void JobPage::showComplaint(const QString& complaint) {
+  m_complaint->setText(complaint);
+  m_complaint->setVisible(!complaint.isEmpty());
+  placeComplaint();
+}
+
+void JobPage::placeComplaint() {
+  const int width = std::min(kComplaintWidth, this->width() - kRecipeWidth - kComplaintMargin);
+  const int height = m_complaint->heightForWidth(width);
+  m_complaint->setGeometry(kRecipeWidth, this->height() - height - kComplaintMargin, width, height);
+  m_complaint->raise();
+}
+
 void JobPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  placeComplaint();
   const bool beside = event->size().width() >= kBesideFrom;
   if (beside != m_beside) {
     m_beside = beside;

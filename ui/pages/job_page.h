@@ -41,6 +41,8 @@ private:
   void selectCorner(int corner);
   void showProblem(const base::Problem& problem);
   void arrange();
+  void showComplaint(const QString& complaint);
+  void placeComplaint();
 
   Planner& m_planner;
   PlanPointer m_plan;
@@ -51,6 +53,7 @@ private:
   FindingsPanel* m_findings;
   QLabel* m_stateSign;
   QLabel* m_state;
+  QLabel* m_complaint; // over the drawing, beside the field that it is about
   QProgressBar* m_busy;
   QButtonGroup* m_viewButtons;
   QSplitter* m_views;

@@ -26,8 +26,6 @@ constexpr std::array<std::string_view, 7> kKeys{"wheel_radius_mm", "accel_x_mm_s
 constexpr std::array<std::string_view, 5> kPaneKeys{"size_correction_mm", "lead_mm", "overlap_mm", "rotate_deg",
                                                     "smooth_mm"};
 
-constexpr int kComplaintLines = 6;
-
 double mostOn(const recipe::NumberField& field, const recipe::Machine& machine) {
   if (field.member == &recipe::Recipe::accelX) {
     return machine.maxAccel.x();
@@ -48,13 +46,9 @@ double rimSpeed(const recipe::Recipe& recipe) {
 
 RecipePanel::RecipePanel(recipe::Recipe recipe, const recipe::Machine& machine, QWidget* parent)
     : QWidget(parent), m_recipe(std::move(recipe)), m_open(new QPushButton(tr("&Open pattern…"))),
-      m_pattern(new QLabel), m_pages(new QStackedWidget), m_rimSpeed(new QLabel), m_complaint(new QLabel) {
+      m_pattern(new QLabel), m_pages(new QStackedWidget), m_rimSpeed(new QLabel) {
   m_open->setObjectName(QStringLiteral("open"));
   m_open->setShortcut(QKeySequence::Open);
-  m_complaint->setObjectName(QStringLiteral("complaint"));
-  m_complaint->setWordWrap(true);
-  m_complaint->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  m_complaint->setMinimumHeight(kComplaintLines * fontMetrics().lineSpacing()); // nothing jumps when it fills
   QWidget* grinding = makePage(kKeys, machine);
   grinding->layout()->addWidget(m_rimSpeed);
   QWidget* pane = makePage(kPaneKeys, machine);
@@ -70,7 +64,7 @@ RecipePanel::RecipePanel(recipe::Recipe recipe, const recipe::Machine& machine, 
   layout->addWidget(m_pattern);
   layout->addWidget(makePages());
   layout->addWidget(m_pages);
-  layout->addWidget(m_complaint, 1);
+  layout->addStretch(1);
   connect(m_open, &QPushButton::clicked, this, &RecipePanel::openRequested);
   setPatternName({});
   showRimSpeed();
@@ -155,9 +149,9 @@ void RecipePanel::showComplaint() {
       complaint = edit->complaint();
     }
   }
-  m_complaint->setText(complaint.isEmpty()
-                           ? complaint
-                           : complaint + QLatin1Char('\n') + tr("The drawing still shows the last valid values."));
+  Q_EMIT complaintChanged(complaint.isEmpty()
+                              ? complaint
+                              : complaint + QLatin1Char('\n') + tr("The drawing still shows the last valid values."));
 }
 
 } // namespace arris::ui

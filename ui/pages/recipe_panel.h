@@ -38,6 +38,8 @@ public:
 Q_SIGNALS:
   void recipeChanged(const arris::recipe::Recipe& recipe);
   void openRequested();
+  /// What is wrong with a field, in words, with what stays in effect; empty where nothing is.
+  void complaintChanged(const QString& complaint);
 
 private:
   QWidget* makePages();
@@ -53,7 +55,6 @@ private:
   QStackedWidget* m_pages;
   std::vector<NumberEdit*> m_fields;
   QLabel* m_rimSpeed;
-  QLabel* m_complaint;
 };
 
 /// Speed of the wheel's rim, m/s.

@@ -20,7 +20,6 @@ using control::State;
 namespace {
 
 constexpr int kColumnWidth = 316; // px
-constexpr int kStartHeight = 64;  // px
 constexpr int kProgressSteps = 1000;
 constexpr int kMostPanes = 999;
 constexpr double kOverrideStep = 0.1;
@@ -169,7 +168,6 @@ void RunPage::makeCommands(QVBoxLayout& column) {
   m_resume = makeButton(tr("RESUME"), QStringLiteral("resume"), &RunPage::resumeRun);
   column.addWidget(m_resume);
   m_start->setObjectName(QStringLiteral("cycleStart"));
-  m_start->setMinimumHeight(kStartHeight);
   m_start->setToolTip(tr("Keep it pressed until the ring is full."));
   connect(m_start, &HoldButton::held, &m_machine, &MachineLink::start);
   column.addWidget(m_start);

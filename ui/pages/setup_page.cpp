@@ -3,6 +3,7 @@
 #include "ui/text/machine_texts.h"
 #include "ui/text/quantities.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QGridLayout>
 #include <QGroupBox>

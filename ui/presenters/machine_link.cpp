@@ -29,22 +29,13 @@ std::string timeOfDay() {
   return QDateTime::currentDateTime().toString(Qt::ISODate).toStdString();
 }
 
-std::launch planningOf(control::Pace pace) {
-  return pace == control::Pace::Real ? std::launch::async : std::launch::deferred;
-}
-
 } // namespace
 
 MachineLink::MachineLink(const MachineSetup& setup, QObject* parent)
-    : QObject(parent), m_folder(setup.folder), m_machine(setup.machine),
-      m_axes(setup.machine, setup.pace, setup.machine.travel / 2), m_controller(setup.machine, m_channels),
-      m_supervisor(setup.machine, m_channels,
-                   {[this](const control::Report& report) { hear(report); },
-                    [this](const control::FaultReport& fault) { hear(fault); }},
-                   planningOf(setup.pace)) {
-  if (setup.pace == control::Pace::Real) {
-    m_thread.emplace(m_controller, m_axes, setup.machine.period);
-  }
+    : QObject(parent), m_folder(setup.folder), m_pace(setup.pace), m_machine(setup.machine),
+      m_station(setup.machine, setup.pace,
+                {[this](const control::Report& report) { hear(report); },
+                 [this](const control::FaultReport& fault) { hear(fault); }}) {
   connect(&m_timer, &QTimer::timeout, this, &MachineLink::pass);
   m_timer.setTimerType(Qt::PreciseTimer);
   m_timer.start(setup.pace == control::Pace::Real ? kServeEvery : 1);
@@ -54,38 +45,29 @@ MachineLink::~MachineLink() {
   m_timer.stop();
   blockSignals(true);
   if (control::isMoving(report().state)) {
-    m_supervisor.stop();
+    m_station.operatorSide().stop();
   }
   for (int waited = 0; waited < kRestPatience && control::isMoving(report().state); waited += kServeEvery) {
-    if (m_thread) {
+    if (m_pace == control::Pace::Real) {
       std::this_thread::sleep_for(std::chrono::milliseconds(kServeEvery));
-      m_supervisor.serve();
-    } else {
-      pass();
     }
+    m_station.pass(kFastPeriods);
   }
 }
 
 void MachineLink::pass() {
-  if (m_thread) {
-    m_supervisor.serve();
-  } else {
-    const int rounds = static_cast<int>(kFastSeconds / m_machine.period) / kFastPeriods;
-    for (int i = 0; i < rounds; ++i) {
-      for (int period = 0; period < kFastPeriods; ++period) {
-        const control::Cycle& cycle = m_controller.advance(m_axes.read());
-        m_axes.write(cycle.setPoint, cycle.outputs);
-      }
-      m_supervisor.serve();
-    }
+  const int rounds =
+      m_pace == control::Pace::Real ? 1 : static_cast<int>(kFastSeconds / m_machine.period) / kFastPeriods;
+  for (int i = 0; i < rounds; ++i) {
+    m_station.pass(kFastPeriods);
   }
   if (m_keeper) {
     for (const base::Problem& problem : m_keeper->takeProblems()) {
       m_complaint = problem;
     }
   }
-  if (m_supervisor.refusal()) {
-    m_complaint = m_supervisor.refusal();
+  if (m_station.operatorSide().refusal()) {
+    m_complaint = m_station.operatorSide().refusal();
   }
   Q_EMIT reported();
   tellChanges();
@@ -116,7 +98,7 @@ void MachineLink::hear(const control::FaultReport& fault) {
 }
 
 Allowed MachineLink::allowed() const {
-  return allowedIn(report(), jobState(), m_loaded != nullptr, m_supervisor.isPlanning());
+  return allowedIn(report(), jobState(), m_loaded != nullptr, m_station.operatorSide().isPlanning());
 }
 
 double MachineLink::progress() const {
@@ -128,19 +110,19 @@ double MachineLink::timeLeft() const {
 }
 
 void MachineLink::enable() {
-  m_supervisor.enable();
+  m_station.operatorSide().enable();
 }
 
 void MachineLink::disable() {
-  m_supervisor.disable();
+  m_station.operatorSide().disable();
 }
 
 void MachineLink::home() {
-  m_supervisor.home();
+  m_station.operatorSide().home();
 }
 
 void MachineLink::acknowledge() {
-  if (m_supervisor.acknowledge()) {
+  if (m_station.operatorSide().acknowledge()) {
     for (Alarm& alarm : m_alarms) {
       alarm.isActive = false;
     }
@@ -151,7 +133,7 @@ void MachineLink::acknowledge() {
 
 void MachineLink::load(const PlanPointer& plan, int panes) {
   const std::shared_ptr<const job::Job> job(plan, &plan->job);
-  if (!allowed().load || !m_supervisor.load(job, panes)) {
+  if (!allowed().load || !m_station.operatorSide().load(job, panes)) {
     return;
   }
   m_loaded = plan;
@@ -166,7 +148,7 @@ void MachineLink::load(const PlanPointer& plan, int panes) {
 }
 
 void MachineLink::unload() {
-  if (m_supervisor.unload()) {
+  if (m_station.operatorSide().unload()) {
     m_loaded.reset();
     m_keeper.reset();
     Q_EMIT changed();
@@ -176,50 +158,50 @@ void MachineLink::unload() {
 void MachineLink::start() {
   m_complaint.reset();
   if (jobState() == JobState::Aborted) {
-    m_supervisor.startFrom(report().place);
+    m_station.operatorSide().startFrom(report().place);
   } else {
-    m_supervisor.start();
+    m_station.operatorSide().start();
   }
 }
 
 void MachineLink::hold() {
-  m_supervisor.hold();
+  m_station.operatorSide().hold();
 }
 
 void MachineLink::resume() {
-  m_supervisor.resume();
+  m_station.operatorSide().resume();
 }
 
 void MachineLink::step(double distance) {
-  m_supervisor.step(distance);
+  m_station.operatorSide().step(distance);
 }
 
 void MachineLink::stop() {
-  m_supervisor.stop();
+  m_station.operatorSide().stop();
 }
 
 void MachineLink::trace() {
-  m_supervisor.trace();
+  m_station.operatorSide().trace();
 }
 
 void MachineLink::park() {
-  m_supervisor.park();
+  m_station.operatorSide().park();
 }
 
 void MachineLink::jogAt(const Eigen::Vector3d& velocity) {
-  m_supervisor.jogAt(velocity);
+  m_station.operatorSide().jogAt(velocity);
 }
 
 void MachineLink::setOverride(double factor) {
-  m_supervisor.setOverride(std::clamp(factor, motion::kLowestOverride, motion::kHighestOverride));
+  m_station.operatorSide().setOverride(std::clamp(factor, motion::kLowestOverride, motion::kHighestOverride));
 }
 
 void MachineLink::inject(control::SimulatedFault fault) {
-  m_axes.inject(fault);
+  m_station.axes().inject(fault);
 }
 
 void MachineLink::clearFaults() {
-  m_axes.clearFaults();
+  m_station.axes().clearFaults();
 }
 
 } // namespace arris::ui

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "core/control/control_thread.h"
 #include "core/control/run_keeper.h"
-#include "core/control/simulated_axes.h"
-#include "core/control/supervisor.h"
+#include "core/control/station.h"
 #include "ui/presenters/allowed.h"
 #include "ui/presenters/planner.h"
 
@@ -45,11 +43,11 @@ public:
 
   /// The last period.
   [[nodiscard]] const control::Report& report() const {
-    return m_supervisor.latest();
+    return operatorSide().latest();
   }
 
   [[nodiscard]] control::JobState jobState() const {
-    return m_supervisor.jobState();
+    return operatorSide().jobState();
   }
 
   [[nodiscard]] Allowed allowed() const;
@@ -60,11 +58,11 @@ public:
   }
 
   [[nodiscard]] int panesDone() const {
-    return m_supervisor.panesDone();
+    return operatorSide().panesDone();
   }
 
   [[nodiscard]] int panesOrdered() const {
-    return m_supervisor.panesOrdered();
+    return operatorSide().panesOrdered();
   }
 
   /// Of the job that is loaded, as far as it was ground in this run; 0 to 1.
@@ -117,17 +115,19 @@ Q_SIGNALS:
 
 private:
   void pass();
-  void serve();
+
+  [[nodiscard]] const control::Supervisor& operatorSide() const {
+    return m_station.operatorSide();
+  }
+
   void hear(const control::Report& report);
   void hear(const control::FaultReport& fault);
   void tellChanges();
 
   control::StateFolder m_folder;
+  control::Pace m_pace;
   recipe::Machine m_machine;
-  control::Channels m_channels;
-  control::SimulatedAxes m_axes;
-  control::Controller m_controller;
-  control::Supervisor m_supervisor;
+  control::Station m_station;
   PlanPointer m_loaded;
   double m_length = 1; ///< of the job's way, mm
   std::unique_ptr<control::RunKeeper> m_keeper;
@@ -137,7 +137,6 @@ private:
   control::State m_toldState = control::State::Off;
   control::JobState m_toldJob = control::JobState::Idle;
   QTimer m_timer;
-  std::optional<control::ControlThread> m_thread; ///< in real time; last: it uses the others
 };
 
 } // namespace arris::ui

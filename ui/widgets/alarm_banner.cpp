@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kBannerHeight = 52; // px: two lines of text
 constexpr int kBannerSign = 24;   // px
-constexpr int kStateWidth = 232;  // px
+constexpr int kStateWidth = 290;  // px
 
 } // namespace
 

@@ -8,7 +8,6 @@ namespace arris::ui {
 namespace {
 
 constexpr int kStripWidth = 128; // px
-constexpr int kStopHeight = 76;  // px: more than a finger in a glove
 
 } // namespace
 
@@ -30,7 +29,6 @@ ControlStrip::ControlStrip(MachineLink& machine, QWidget* parent)
 QPushButton* ControlStrip::addStop(const QString& text, const QString& name) {
   auto* button = new QPushButton(text);
   button->setObjectName(name);
-  button->setMinimumHeight(kStopHeight);
   m_layout->addWidget(button);
   return button;
 }

@@ -35,6 +35,7 @@ QPushButton, QToolButton {
 QPushButton:pressed, QToolButton:pressed { background: #cdd2d5; }
 QPushButton:checked, QToolButton:checked { background: #44525c; color: #ffffff; }
 QPushButton:disabled, QToolButton:disabled { color: #8a9298; border-color: #c6cbce; }
+QPushButton:checked:disabled, QToolButton:checked:disabled { background: #d6dadd; }
 QCheckBox { min-height: 44px; spacing: 6px; border: 2px solid transparent; }
 QCheckBox::indicator { width: 26px; height: 26px; border: 2px solid #8a9298; border-radius: 4px; background: #ffffff; }
 QCheckBox::indicator:checked { image: url(:/signs/check.svg); }
@@ -49,6 +50,17 @@ QPushButton:focus, QToolButton:focus, QLineEdit:focus, QAbstractItemView:focus, 
 QLineEdit:focus { min-height: 38px; padding: 0 7px; }
 QLineEdit QToolButton { min-height: 0; min-width: 0; padding: 0; border: none; background: none; }
 QLineEdit[invalid="true"] { border-color: #b3261e; background: #fdf3f2; }
+QLabel#complaint { border: 2px solid #b3261e; border-radius: 4px; background: #fdf3f2; }
+QPushButton#stop, QPushButton#feedHold, QPushButton#cycleStart { min-height: 64px; }
+QPushButton#stop { font-weight: bold; font-size: 20px; border: 3px solid #1f2428; background: #ffffff; }
+QPushButton#feedHold, QPushButton#cycleStart, QPushButton#resume { font-weight: bold; border: 2px solid #1f2428; }
+QPushButton#stop:disabled, QPushButton#feedHold:disabled, QPushButton#cycleStart:disabled, QPushButton#resume:disabled {
+  border-color: #c6cbce;
+}
+QPushButton#stop:pressed { background: #cdd2d5; }
+QWidget#banner { background: #cdd2d5; }
+QGroupBox { border: 1px solid #b4babe; border-radius: 4px; margin-top: 10px; padding-top: 10px; }
+QGroupBox::title { subcontrol-origin: margin; left: 10px; }
 QTabBar::tab {
   min-height: 44px; min-width: 44px; padding: 0 14px;
   border: 1px solid #b4babe; border-bottom: none; background: #d6dadd;

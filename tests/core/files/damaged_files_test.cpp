@@ -89,7 +89,7 @@ TEST(DamagedResumePoint, IsRefusedOrInItsRanges) {
   });
 }
 
-constexpr std::size_t kMagicSize = 11;
+constexpr std::size_t kRecordMagicSize = 11;
 constexpr std::size_t kHeadSize = 9; ///< of a block: kind, length, checksum
 
 // Checksums that fit to whatever now stands in the blocks, so that damage gets past them.
@@ -101,7 +101,7 @@ void seal(std::string& record) {
     }
     return result;
   };
-  for (std::size_t at = kMagicSize; at + kHeadSize <= record.size();) {
+  for (std::size_t at = kRecordMagicSize; at + kHeadSize <= record.size();) {
     const std::size_t length = std::min<std::size_t>(number(at + 1), record.size() - at - kHeadSize);
     for (std::size_t i = 0; i < 4; ++i) {
       record[at + 1 + i] = static_cast<char>(length >> 8 * i);

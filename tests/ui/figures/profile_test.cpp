@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace arris::ui {
@@ -140,6 +141,44 @@ TEST(ProfileCurves, OfNothingAreEmpty) {
   const ProfileCurves curves = curvesOf({}, QStringLiteral("planned"));
   EXPECT_TRUE(curves.bands.empty());
   EXPECT_TRUE(curves.panels.front().isEmpty());
+}
+
+TEST(ProfileCurves, HaveValuesBetweenTheirPointsAndNoneInGapsAndBeyond) {
+  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+  const QPolygonF curve{{1, 10}, {2, 20}, {3, kGap}, {5, 50}, {6, 40}};
+  EXPECT_DOUBLE_EQ(curveValue(curve, 1), 10);
+  EXPECT_DOUBLE_EQ(curveValue(curve, 1.25), 12.5);
+  EXPECT_DOUBLE_EQ(curveValue(curve, 2), 20);
+  EXPECT_DOUBLE_EQ(curveValue(curve, 5.5), 45);
+  EXPECT_DOUBLE_EQ(curveValue(curve, 6), 40);
+  for (const double time : {0.9, 2.5, 3.0, 4.9, 6.1, kGap}) {
+    EXPECT_TRUE(std::isnan(curveValue(curve, time))) << time;
+  }
+  EXPECT_TRUE(std::isnan(curveValue({}, 0)));
+}
+
+TEST(ProfileCurves, PassEachCornerOfATriangleOnce) {
+  const std::vector<CornerPass> passes = cornerPasses(curvesOf(columnsOf(triangleJob()), {}));
+  ASSERT_EQ(passes.size(), 3U);
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    EXPECT_EQ(passes[i].corner, static_cast<int>(i) + 1);
+    EXPECT_LT(passes[i].from, passes[i].middle);
+    EXPECT_GT(passes[i].to - passes[i].from, 12.99038); // t_m, and braking before it
+  }
+}
+
+TEST(CornerPasses, AreNotDividedByAHoldButByTheNextBrakingForTheSameCorner) {
+  ProfileCurves curves;
+  curves.bands = {{7, Zone::Slowing, 1, 2}, {7, Zone::Corner, 2, 3},    {7, Zone::Corner, 13, 16},
+                  {0, Zone::Away, 17, 18},  {7, Zone::Leaving, 20, 21}, {7, Zone::Slowing, 30, 34}};
+  const std::vector<CornerPass> passes = cornerPasses(curves);
+  ASSERT_EQ(passes.size(), 2U);
+  EXPECT_DOUBLE_EQ(passes[0].from, 1);
+  EXPECT_DOUBLE_EQ(passes[0].middle, 9); // of 2 to 16
+  EXPECT_DOUBLE_EQ(passes[0].to, 21);
+  EXPECT_DOUBLE_EQ(passes[1].from, 30);
+  EXPECT_DOUBLE_EQ(passes[1].middle, 32); // the corner itself is never reached
+  EXPECT_DOUBLE_EQ(passes[1].to, 34);
 }
 
 TEST(ThinnedCurve, OfDenseNoiseHasFourPointsAColumnAtMost) {

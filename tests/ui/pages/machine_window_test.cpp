@@ -174,7 +174,9 @@ TEST_P(Jog, EndsWhenTheHandIsElsewhere) {
   if (what == "release") {
     QTest::mouseRelease(jog, Qt::LeftButton);
   } else if (what == "focus loss") {
-    button("home")->setFocus();
+    m_window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&m_window));
+    button("pageRun")->setFocus();
   } else if (what == "page change") {
     button("pageJob")->click();
   } else if (what == "dialog") {

@@ -4,6 +4,7 @@
 #include "ui/main_window.h"
 #include "ui/models/problem_model.h"
 #include "ui/pages/findings_panel.h"
+#include "ui/pages/job_page.h"
 #include "ui/pages/recipe_panel.h"
 #include "ui/text/translators.h"
 #include "ui/views/drawing_view.h"
@@ -50,7 +51,7 @@ protected:
   }
 
   template <typename T = QWidget> T* find(const char* name = nullptr) {
-    return m_window.findChild<T*>(QString::fromLatin1(name));
+    return m_window.findChild<JobPage*>()->findChild<T*>(QString::fromLatin1(name));
   }
 
   QLineEdit* field(const char* key) {

@@ -1,0 +1,392 @@
+#include "tests/support/panes.h"
+#include "tests/ui/support/artefacts.h"
+#include "tests/ui/support/locales.h"
+#include "tests/ui/support/recorded_runs.h"
+#include "tests/ui/support/steps.h"
+#include "ui/figures/profile_plot.h"
+#include "ui/pages/profiles_page.h"
+#include "ui/text/translators.h"
+#include "ui/widgets/theme.h"
+
+#include <QFile>
+#include <QLabel>
+#include <QTest>
+#include <QToolButton>
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace arris::ui {
+namespace {
+
+constexpr QSize kSmallestPage(1024, 700);
+
+class Profiles : public testing::Test {
+protected:
+  Profiles() : m_planner({}, test::paneSteps()), m_page(m_planner) {
+    m_page.resize(kSmallestPage);
+    m_page.show();
+  }
+
+  void settle() {
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !m_planner.isBusy() && !m_page.isBusy(); }, test::kPatience));
+    for (int i = 0; i < 5; ++i) { // layouts settle in turns
+      QTest::qWait(1);
+    }
+  }
+
+  void plan(const char* pattern) {
+    m_planner.openPattern(pattern);
+    settle();
+  }
+
+  void open(const std::filesystem::path& file) {
+    m_page.openFile(file);
+    settle();
+  }
+
+  QToolButton* button(const char* name) {
+    return m_page.findChild<QToolButton*>(QString::fromLatin1(name));
+  }
+
+  void press(const char* name) {
+    QTest::mouseClick(button(name), Qt::LeftButton);
+    settle();
+  }
+
+  QString text(const char* label) {
+    return m_page.findChild<QLabel*>(QString::fromLatin1(label))->text();
+  }
+
+  // Without the marks of where a line may and may not break.
+  std::string state() {
+    return text("profilesState").remove(QChar(0x200b)).replace(QChar(0xa0), ' ').toStdString();
+  }
+
+  ProfilePlot* plot() {
+    return m_page.findChild<ProfilePlot*>();
+  }
+
+  QCPRange times() {
+    return plot()->axisRect(0)->axis(QCPAxis::atBottom)->range();
+  }
+
+  // A line for each profile and those of the limits.
+  int speedCurves() {
+    int count = 0;
+    for (const QCPGraph* graph : plot()->axisRect(4)->graphs()) {
+      count += graph->dataCount() > 2 ? 1 : 0;
+    }
+    return count;
+  }
+
+  // Where this time stands in the plot.
+  QPoint placeOf(double time) {
+    return {qRound(plot()->axisRect(0)->axis(QCPAxis::atBottom)->coordToPixel(time)), plot()->height() / 2};
+  }
+
+  const job::Job& triangle() {
+    static const job::Job kJob = job::planJob(test::triangle600(), {}, {});
+    return kJob;
+  }
+
+  void expectEverythingShown();
+
+  test::Scratch m_scratch;
+  Planner m_planner;
+  ProfilesPage m_page;
+};
+
+void Profiles::expectEverythingShown() {
+  const auto check = [this] {
+    EXPECT_EQ(m_page.size(), kSmallestPage) << "the contents pushed the page larger";
+    test::expectNothingCutOff(m_page);
+  };
+  check();
+  plan("triangle.dxf");
+  press("profilesNextCorner");
+  check();
+  const auto record = test::recordOf(triangle(), m_scratch);
+  const auto longName = m_scratch / "the third pane of the order of the eleventh of November, after dressing.arrisrun";
+  std::filesystem::rename(record, longName);
+  open(longName);
+  press("profilesNextCorner");
+  check();
+  open(test::cutAt(0.5, longName, m_scratch));
+  check();
+  open(m_scratch / "missing.csv");
+  check();
+  plan("outside.dxf");
+  check();
+  press("profilesPlanned");
+  check();
+}
+
+TEST_F(Profiles, SayWhatToDoWhenNothingIsOpen) {
+  EXPECT_EQ(state(), "No pattern is open. Profiles and records of runs can be opened all the same.");
+  EXPECT_TRUE(button("profilesOpen")->isEnabled());
+  for (const char* name : {"profilesPlanned", "profilesOverlay", "profilesSave", "profilesNextCorner"}) {
+    EXPECT_FALSE(button(name)->isEnabled()) << name;
+  }
+  test::keep("profiles-empty", m_page);
+}
+
+TEST_F(Profiles, ShowTheProfileOfThePlannedJob) {
+  plan("triangle.dxf");
+  EXPECT_EQ(state(), "Planned: triangle.dxf");
+  EXPECT_EQ(speedCurves(), 1);
+  EXPECT_NEAR(times().size(), triangle().working, 0.01);
+  test::keep("profiles-planned", m_page);
+}
+
+TEST_F(Profiles, SayWhenThePatternCannotBeGround) {
+  plan("triangle.dxf");
+  plan("outside.dxf");
+  EXPECT_EQ(state(), "The pattern cannot be ground: there is no planned profile.");
+  EXPECT_EQ(speedCurves(), 0);
+  EXPECT_FALSE(button("profilesZoomIn")->isEnabled());
+}
+
+TEST_F(Profiles, LayARecordOverThePlanAndGoBackToThePlanAlone) {
+  plan("triangle.dxf");
+  open(test::recordOf(triangle(), m_scratch));
+  EXPECT_EQ(state(), "run.arrisrun, drawn thin over the plan, which is wide and pale");
+  EXPECT_EQ(speedCurves(), 2);
+  test::keep("profiles-record", m_page);
+  press("profilesOverlay");
+  EXPECT_EQ(state(), "run.arrisrun");
+  EXPECT_EQ(speedCurves(), 1);
+  press("profilesOverlay");
+  EXPECT_EQ(speedCurves(), 2);
+  press("profilesPlanned");
+  EXPECT_EQ(state(), "Planned: triangle.dxf");
+  EXPECT_EQ(speedCurves(), 1);
+}
+
+TEST_F(Profiles, LayAnExportedProfileOverThePlan) {
+  plan("triangle.dxf");
+  recipe::Recipe slow;
+  slow.feed = 1800;
+  open(test::profileOf(job::planJob(test::triangle600(), slow, {}), m_scratch));
+  EXPECT_EQ(state(), "profile.csv, drawn thin over the plan, which is wide and pale");
+  EXPECT_EQ(speedCurves(), 2);
+}
+
+TEST_F(Profiles, ShowAFileWithoutAnyPlan) {
+  open(test::profileOf(triangle(), m_scratch));
+  EXPECT_EQ(state(), "profile.csv");
+  EXPECT_EQ(speedCurves(), 1);
+  EXPECT_FALSE(button("profilesOverlay")->isEnabled());
+  plan("triangle.dxf"); // comes later and goes under it
+  EXPECT_EQ(speedCurves(), 2);
+}
+
+TEST_F(Profiles, StayAsTheyWereWhenAFileIsBrokenAndSayWhy) {
+  plan("triangle.dxf");
+  open(test::recordOf(triangle(), m_scratch));
+  press("profilesNextCorner");
+  const QCPRange before = times();
+  const QString value = text("value_1_5");
+  std::ofstream(m_scratch / "letter.csv") << "Dear customer,\nthe panes are ready.\n";
+  open(m_scratch / "letter.csv");
+  EXPECT_NE(state().find("letter.csv is not a profile of Arris: the column t_s is missing. (line 1 of the file)"),
+            std::string::npos)
+      << state();
+  EXPECT_EQ(speedCurves(), 2);
+  EXPECT_EQ(times(), before);
+  EXPECT_EQ(text("value_1_5"), value);
+  test::keep("profiles-broken-file", m_page);
+  press("profilesPlanned");
+  EXPECT_EQ(state(), "Planned: triangle.dxf");
+}
+
+TEST_F(Profiles, ShowWhatARecordThatBreaksOffStillHoldsAndSaySo) {
+  open(test::cutAt(0.5, test::recordOf(triangle(), m_scratch), m_scratch));
+  EXPECT_EQ(speedCurves(), 1);
+  EXPECT_NE(state().find("cut.arrisrun is not whole: it breaks off at byte "), std::string::npos) << state();
+}
+
+// Braking from 60 to 20 mm/s, the transition of 12.990 s and accelerating again, and a tenth more at either end.
+TEST_F(Profiles, GoFromCornerToCornerAndZoomToEach) {
+  plan("triangle.dxf");
+  double last = 0;
+  for (int corner = 1; corner <= 3; ++corner) {
+    press("profilesNextCorner");
+    EXPECT_GT(times().size(), 1.2 * 12.99038);
+    EXPECT_LT(times().size(), 1.2 * (12.99038 + 2 * 5));
+    EXPECT_GT(times().center(), last);
+    last = times().center();
+    // L(t_m/2) = (R/2)(s + 1/s) with s = sin 30°, where 20 mm/s have turned by 60°: 20 cos 60°
+    EXPECT_EQ(text("value_0_5"), "93.75");
+    EXPECT_EQ(text("value_0_4"), "10.00");
+  }
+  test::keep("profiles-corner", m_page);
+  press("profilesNextCorner"); // the first again
+  EXPECT_LT(times().center(), last);
+  press("profilesPreviousCorner");
+  EXPECT_DOUBLE_EQ(times().center(), last);
+  press("profilesWork");
+  EXPECT_NEAR(times().size(), triangle().working, 0.01);
+  press("profilesAll");
+  EXPECT_NEAR(times().size(), triangle().duration, 0.01);
+}
+
+TEST_F(Profiles, ZoomInAndOutRoundTheMiddle) {
+  plan("triangle.dxf");
+  const QCPRange before = times();
+  press("profilesZoomIn");
+  EXPECT_LT(times().size(), before.size());
+  EXPECT_NEAR(times().center(), before.center(), 1e-9);
+  press("profilesZoomOut");
+  EXPECT_NEAR(times().size(), before.size(), 1e-9);
+}
+
+TEST_F(Profiles, TellTheValuesAtTheTimeThatIsTappedOrHoveredOver) {
+  plan("triangle.dxf");
+  open(test::recordOf(triangle(), m_scratch));
+  EXPECT_EQ(text("instant").trimmed(), "");
+  press("profilesNextCorner");
+  const double middle = times().center();
+  QTest::mouseMove(plot(), placeOf(middle));
+  EXPECT_TRUE(text("instant").startsWith("t = ")) << text("instant").toStdString();
+  EXPECT_EQ(text("value_0_4").left(2), "10"); // mm/s, to a pixel of time
+  EXPECT_EQ(text("value_1_4").left(2), "10");
+  press("profilesWork");
+  QTest::mouseClick(plot(), Qt::LeftButton, {}, placeOf(times().lower + 0.999 * times().size()));
+  EXPECT_EQ(text("value_0_5"), "–"); // no corner is due any more
+}
+
+TEST_F(Profiles, AreReadAndZoomedByKeys) {
+  plan("triangle.dxf");
+  press("profilesNextCorner");
+  plot()->setFocus();
+  const double whole = times().size();
+  QTest::keyClick(plot(), Qt::Key_Plus);
+  EXPECT_LT(times().size(), whole);
+  QTest::keyClick(plot(), Qt::Key_Minus);
+  EXPECT_NEAR(times().size(), whole, 1e-9);
+  const QCPRange shown = times();
+  const double before = text("instant").section(' ', 2, 2).toDouble();
+  QTest::keyClick(plot(), Qt::Key_Right);
+  QTest::keyClick(plot(), Qt::Key_Right);
+  QTest::keyClick(plot(), Qt::Key_Left);
+  EXPECT_NEAR(text("instant").section(' ', 2, 2).toDouble(), before + shown.size() / 200, 0.0011);
+  test::keep("profiles-keys", m_page);
+  QTest::keyClick(plot(), Qt::Key_Home);
+  EXPECT_NEAR(times().size(), triangle().working, 0.01);
+}
+
+TEST_F(Profiles, GoOnFromTheCornerThatIsTapped) {
+  plan("triangle.dxf");
+  press("profilesNextCorner");
+  press("profilesNextCorner");
+  const double second = times().center();
+  press("profilesPreviousCorner");
+  press("profilesWork");
+  QTest::mouseClick(plot(), Qt::LeftButton, {}, placeOf(second));
+  press("profilesNextCorner");
+  EXPECT_GT(times().center(), second + 10);
+}
+
+TEST_F(Profiles, KeepTheViewWhenAValueOfThePlanChanges) {
+  plan("triangle.dxf");
+  press("profilesNextCorner");
+  const QCPRange before = times();
+  recipe::Recipe recipe;
+  recipe.depth = 0.2;
+  m_planner.setRecipe(recipe);
+  settle();
+  EXPECT_EQ(times(), before);
+  plan("rectangle.dxf"); // another pattern is shown from the start
+  EXPECT_GT(times().size(), 2 * before.size());
+}
+
+TEST_F(Profiles, AreSavedAsAPicture) {
+  plan("triangle.dxf");
+  open(test::recordOf(triangle(), m_scratch));
+  const std::filesystem::path picture = m_scratch / "profile.svg";
+  m_page.savePicture(picture);
+  settle();
+  EXPECT_EQ(state(), "Saved: profile.svg");
+  QFile file(QString::fromStdString(picture.string()));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QByteArray svg = file.readAll();
+  for (const char* words : {"<svg", "run.arrisrun", "Plan", "60°", "limit 20"}) {
+    EXPECT_TRUE(svg.contains(words)) << words;
+  }
+  m_page.savePicture(m_scratch / "profile.txt");
+  settle();
+  EXPECT_NE(state().find(".svg, .pdf, .png"), std::string::npos) << state();
+}
+
+TEST_F(Profiles, HaveTargetsForFingersThatTheTabulatorReaches) {
+  plan("triangle.dxf");
+  open(test::recordOf(triangle(), m_scratch));
+  button("profilesOpen")->setFocus();
+  QSet<QWidget*> reached{button("profilesOpen")};
+  for (int i = 0; i < 20; ++i) {
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    reached.insert(QApplication::focusWidget());
+  }
+  EXPECT_TRUE(reached.contains(plot()));
+  for (QToolButton* each : m_page.findChildren<QToolButton*>()) {
+    EXPECT_GE(each->height(), kTouch) << each->objectName().toStdString();
+    EXPECT_GE(each->width(), kTouch) << each->objectName().toStdString();
+    EXPECT_TRUE(reached.contains(each)) << each->objectName().toStdString();
+  }
+}
+
+TEST_F(Profiles, ShowEverythingOnTheSmallestScreen) {
+  expectEverythingShown();
+}
+
+TEST_F(Profiles, LookRightOnALargeScreen) {
+  plan("triangle.dxf");
+  open(test::recordOf(triangle(), m_scratch));
+  m_page.resize(1920, 1080);
+  settle();
+  test::keep("profiles-large", m_page);
+  press("profilesNextCorner");
+  test::keep("profiles-large-corner", m_page);
+  plan("many.dxf");
+  press("profilesPlanned");
+  test::keep("profiles-large-many", m_page);
+}
+
+/// Stands before the page that speaks it.
+class PageLanguage {
+public:
+  explicit PageLanguage(const QString& name) : m_translators(installTranslators({name})) {
+    QLocale::setDefault(QLocale(name));
+  }
+
+  ~PageLanguage() {
+    QLocale::setDefault(test::kEnglish);
+  }
+
+  PageLanguage(const PageLanguage&) = delete;
+  PageLanguage& operator=(const PageLanguage&) = delete;
+
+private:
+  std::vector<std::unique_ptr<QTranslator>> m_translators;
+};
+
+class TranslatedProfiles : public testing::WithParamInterface<std::string>, public PageLanguage, public Profiles {
+protected:
+  TranslatedProfiles() : PageLanguage(QString::fromStdString(GetParam())) {}
+};
+
+TEST_P(TranslatedProfiles, ShowEverythingOnTheSmallestScreen) {
+  expectEverythingShown();
+  open(test::recordOf(triangle(), m_scratch));
+  plan("triangle.dxf");
+  press("profilesNextCorner");
+  test::keep("profiles-" + GetParam(), m_page);
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, TranslatedProfiles, testing::ValuesIn(test::languages()),
+                         [](const auto& tested) { return tested.param; });
+
+} // namespace
+} // namespace arris::ui
