@@ -111,7 +111,7 @@ QWidget* JobPage::makeHeader() {
   QSizePolicy keepsPlace = m_busy->sizePolicy();
   keepsPlace.setRetainSizeWhenHidden(true);
   m_busy->setSizePolicy(keepsPlace);
-  layout->addSpacing(8);
+  layout->addSpacing(2);
   layout->addWidget(m_stateSign);
   layout->addWidget(m_state, 1);
   using Act = std::function<void()>;

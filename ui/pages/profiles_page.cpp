@@ -18,7 +18,7 @@
 namespace arris::ui {
 namespace {
 
-constexpr int kSignSize = 24;
+constexpr int kProfileSignSize = 24;
 constexpr int kBusyBarHeight = 8;
 constexpr double kProfilesUnit = 0.5; // px per unit of figures
 constexpr double kRoomAtCorner = 0.1; // of its time, before and after
@@ -107,7 +107,7 @@ QWidget* ProfilesPage::makeButtons() {
 }
 
 QWidget* ProfilesPage::makeTexts() {
-  m_stateSign->setFixedSize(kSignSize, kSignSize);
+  m_stateSign->setFixedSize(kProfileSignSize, kProfileSignSize);
   m_state->setObjectName(QStringLiteral("profilesState"));
   m_state->setWordWrap(true);
   m_busy->setRange(0, 0);
@@ -216,7 +216,7 @@ void ProfilesPage::showState() {
   } else {
     m_state->setText(tr("No pattern is open. Profiles and records of runs can be opened all the same."));
   }
-  m_stateSign->setPixmap(sign ? signIcon(*sign).pixmap(kSignSize) : QPixmap());
+  m_stateSign->setPixmap(sign ? signIcon(*sign).pixmap(kProfileSignSize) : QPixmap());
   m_back->setEnabled(m_actual || m_files.isBusy());
   m_overlay->setEnabled(m_actual && m_planned);
   for (QToolButton* button : m_forProfiles) {

@@ -151,7 +151,7 @@ QWidget* RunPage::makePanes() {
   return box;
 }
 
-QPushButton* RunPage::makeButton(const QString& text, const QString& name, void (RunPage::*act)()) {
+QPushButton* RunPage::makeButton(const QString& text, const QString& name, void (RunPage::*act)()) const {
   auto* button = new QPushButton(text);
   button->setObjectName(name);
   connect(button, &QPushButton::clicked, this, act);

@@ -7,7 +7,7 @@
 namespace arris::ui {
 namespace {
 
-constexpr int kStripWidth = 128; // px
+constexpr int kStripWidth = 112; // px
 
 } // namespace
 

@@ -52,6 +52,7 @@ QLineEdit QToolButton { min-height: 0; min-width: 0; padding: 0; border: none; b
 QLineEdit[invalid="true"] { border-color: #b3261e; background: #fdf3f2; }
 QLabel#complaint { border: 2px solid #b3261e; border-radius: 4px; background: #fdf3f2; }
 QPushButton#stop, QPushButton#feedHold, QPushButton#cycleStart { min-height: 64px; }
+QPushButton#stop, QPushButton#feedHold { padding: 0 2px; }
 QPushButton#stop { font-weight: bold; font-size: 20px; border: 3px solid #1f2428; background: #ffffff; }
 QPushButton#feedHold, QPushButton#cycleStart, QPushButton#resume { font-weight: bold; border: 2px solid #1f2428; }
 QPushButton#stop:disabled, QPushButton#feedHold:disabled, QPushButton#cycleStart:disabled, QPushButton#resume:disabled {

@@ -86,7 +86,7 @@ protected:
     return {qRound(plot()->axisRect(0)->axis(QCPAxis::atBottom)->coordToPixel(time)), plot()->height() / 2};
   }
 
-  const job::Job& triangle() {
+  static const job::Job& triangle() {
     static const job::Job kJob = job::planJob(test::triangle600(), {}, {});
     return kJob;
   }

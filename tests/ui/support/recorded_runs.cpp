@@ -10,7 +10,7 @@
 namespace arris::test {
 
 std::filesystem::path recordOf(const job::Job& job, const Scratch& scratch) {
-  const std::filesystem::path file = scratch / "run.arrisrun";
+  std::filesystem::path file = scratch / "run.arrisrun";
   auto writer = files::RecordWriter::open(
       file, {"triangle.dxf", files::fileHash("a pane"), "2031-05-06T07:08:09Z", 1, job.recipe, job.machine});
   EXPECT_TRUE(writer);
@@ -22,13 +22,13 @@ std::filesystem::path recordOf(const job::Job& job, const Scratch& scratch) {
 }
 
 std::filesystem::path profileOf(const job::Job& job, const Scratch& scratch) {
-  const std::filesystem::path file = scratch / "profile.csv";
+  std::filesystem::path file = scratch / "profile.csv";
   EXPECT_TRUE(files::writeWholeFile(file, [&](files::Output& output) { files::writeProfile(job, output); }));
   return file;
 }
 
 std::filesystem::path cutAt(double share, const std::filesystem::path& file, const Scratch& scratch) {
-  const std::filesystem::path cut = scratch / "cut.arrisrun";
+  std::filesystem::path cut = scratch / "cut.arrisrun";
   std::filesystem::copy_file(file, cut);
   std::filesystem::resize_file(
       cut, static_cast<std::uintmax_t>(share * static_cast<double>(std::filesystem::file_size(file))));
