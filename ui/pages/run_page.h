@@ -25,7 +25,7 @@ private:
   QWidget* makePlaces();
   QWidget* makeOverride();
   QWidget* makePanes();
-  QPushButton* makeButton(const QString& text, const QString& name, void (RunPage::*act)()) const;
+  [[nodiscard]] QPushButton* makeButton(const QString& text, const QString& name, void (RunPage::*act)()) const;
   void makeCommands(QVBoxLayout& column);
   void showReport();
   void showAllowed();
