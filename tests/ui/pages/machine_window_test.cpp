@@ -12,6 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace arris::ui {
 namespace {
 
@@ -30,6 +32,8 @@ protected:
   MachineWindow() : MachineWindow(control::Pace::Simulated) {}
 
   explicit MachineWindow(control::Pace pace) : m_window(setupOf(m_scratch, pace), test::paneSteps()) {
+    QObject::connect(&m_window.machine(), &MachineLink::changed, &m_window,
+                     [this] { m_seen.insert(m_window.machine().report().state); });
     m_window.resize(1024, 700);
     m_window.show();
   }
@@ -42,6 +46,7 @@ protected:
     ASSERT_TRUE(button(name) != nullptr) << name;
     ASSERT_TRUE(QTest::qWaitFor([&] { return button(name)->isEnabled(); }, test::kPatience)) << name;
     ASSERT_TRUE(button(name)->isVisible()) << name;
+    m_seen.clear();
     QTest::mouseClick(button(name), Qt::LeftButton);
   }
 
@@ -52,8 +57,10 @@ protected:
     QTest::mouseRelease(button(name), Qt::LeftButton);
   }
 
+  // Now or at some time since the last tap: in fast time states pass quickly.
   bool becomes(State state) {
-    return QTest::qWaitFor([&] { return m_window.machine().report().state == state; }, test::kPatience);
+    const auto isSo = [&] { return m_window.machine().report().state == state || m_seen.contains(state); };
+    return QTest::qWaitFor(isSo, test::kPatience);
   }
 
   bool becomes(JobState state) {
@@ -85,6 +92,7 @@ protected:
 
   test::Scratch m_scratch;
   MainWindow m_window;
+  std::set<State> m_seen;
 };
 
 TEST_F(MachineWindow, TakesANewcomerFromAnEmptyProgramToTheSecondPane) {
@@ -170,6 +178,7 @@ TEST_P(Jog, EndsWhenTheHandIsElsewhere) {
   ASSERT_TRUE(becomes(State::Jogging));
   QTest::qWait(600); // it goes on as long as the button is pressed
   ASSERT_EQ(m_window.machine().report().state, State::Jogging);
+  m_seen.clear();
   QMessageBox dialog;
   if (what == "release") {
     QTest::mouseRelease(jog, Qt::LeftButton);
