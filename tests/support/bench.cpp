@@ -18,14 +18,15 @@ std::unique_ptr<control::AxisDriver> idealAxesOf(const recipe::Machine& machine)
 
 } // namespace
 
-Bench::Bench(const recipe::Machine& machineOfBench) : Bench(machineOfBench, idealAxesOf(machineOfBench)) {
+Bench::Bench(const recipe::Machine& machineOfBench, std::launch planning)
+    : Bench(machineOfBench, idealAxesOf(machineOfBench), planning) {
   ideal = static_cast<IdealAxes*>(axes.get());
 }
 
-Bench::Bench(recipe::Machine machineOfBench, std::unique_ptr<control::AxisDriver> driver)
+Bench::Bench(recipe::Machine machineOfBench, std::unique_ptr<control::AxisDriver> driver, std::launch planning)
     : machine(std::move(machineOfBench)), controller(machine, channels),
       supervisor(machine, channels, {{}, [this](const control::FaultReport& fault) { faults.push_back(fault); }},
-                 std::launch::deferred),
+                 planning),
       axes(std::move(driver)) {}
 
 void Bench::period() {
@@ -69,6 +70,9 @@ void Bench::getReady(const job::Job& job) {
   EXPECT_TRUE(until(State::Idle, 1e5));
   EXPECT_TRUE(supervisor.load(std::make_shared<const job::Job>(job)));
   EXPECT_TRUE(supervisor.park());
+  while (supervisor.isPlanning()) {
+    period();
+  }
   EXPECT_TRUE(until(State::Positioning, 1));
   EXPECT_TRUE(until(State::Idle, 1e4));
 }

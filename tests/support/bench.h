@@ -12,8 +12,9 @@ namespace arris::test {
 /// A whole machine in simulated time: operator's side, channels, controller and axes, one period after the other.
 class Bench {
 public:
-  explicit Bench(const recipe::Machine& machineOfBench);
-  Bench(recipe::Machine machineOfBench, std::unique_ptr<control::AxisDriver> driver);
+  explicit Bench(const recipe::Machine& machineOfBench, std::launch planning = std::launch::deferred);
+  Bench(recipe::Machine machineOfBench, std::unique_ptr<control::AxisDriver> driver,
+        std::launch planning = std::launch::deferred);
 
   /// Switched on, homed, the job loaded, the wheel parked.
   void getReady(const job::Job& job);

@@ -41,6 +41,25 @@ TEST(StopAndHold, AHoldAfterAResumeThatStillWaitsKeepsTheWheelWhereItIs) {
   expectRest(bench, State::Held, 5);
 }
 
+TEST(StopAndHold, AHoldWhileTheWayBackIsBeingPlannedKeepsTheWheelWhereItIs) {
+  Bench bench(recipe::Machine{}, std::launch::async);
+  bench.getReady(jobToStop());
+  ASSERT_TRUE(bench.supervisor.start());
+  while (bench.supervisor.isPlanning()) {
+    bench.period();
+  }
+  ASSERT_TRUE(bench.until([&] { return bench.report().place.segment >= 5 && bench.report().speed > 50; }, 200));
+  ASSERT_TRUE(bench.supervisor.hold());
+  ASSERT_TRUE(bench.until([&] { return bench.report().aside == Aside::BackedOff; }, 30));
+  bench.supervisor.serve();
+  ASSERT_TRUE(bench.supervisor.resume());
+  bench.supervisor.serve(); // planning begins
+  bench.supervisor.hold();
+  expectRest(bench, State::Held, 2000);   // long after it was planned
+  ASSERT_TRUE(bench.supervisor.resume()); // and once more in earnest
+  EXPECT_TRUE(bench.until(State::Running, 1e5));
+}
+
 TEST(StopAndHold, AStopThatStaysPressedKeepsEverythingFromStarting) {
   Bench bench(recipe::Machine{});
   bench.getReady(jobToStop());
