@@ -32,7 +32,7 @@ constexpr std::int64_t kLaunchPatience = 200;
 Supervisor::Supervisor(recipe::Machine machine, Channels& channels, Listener listener, std::launch planning)
     : m_machine(std::move(machine)), m_channels(channels), m_listener(std::move(listener)), m_planning(planning) {}
 
-template <typename Command> bool Supervisor::send(const Command& command) {
+bool Supervisor::send(const Command& command) {
   return m_channels.commands.push(command);
 }
 
@@ -331,9 +331,11 @@ bool Supervisor::startFrom(const program::JobPlace& place) {
               true, place);
 }
 
+// Sent in every state: what was ordered before may be on its way, and then it follows it.
 bool Supervisor::hold() {
+  const bool holdsSomething = isOrdered() || next(m_latest.state, Event::Hold).has_value();
   giveUpPlans();
-  return next(m_latest.state, Event::Hold).has_value() && send(command::Hold{});
+  return send(command::Hold{}) && holdsSomething;
 }
 
 bool Supervisor::resume() {

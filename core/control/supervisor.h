@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/control/command.h"
 #include "core/control/report.h"
 #include "core/program/manoeuvres.h"
 #include "core/program/stream.h"
@@ -37,6 +38,11 @@ public:
   /// A way is being planned that has been asked for.
   [[nodiscard]] bool isPlanning() const {
     return m_plan.has_value() && m_plan->isWanted;
+  }
+
+  /// Something has been asked for that has not begun yet: it is being planned, on its way or waits for its time.
+  [[nodiscard]] bool isOrdered() const {
+    return isPlanning() || m_launching || m_wantsResume || m_wantsStep != 0;
   }
 
   /// The last period that was reported.
@@ -119,7 +125,7 @@ private:
   void doWhatPanelWants();
   void doWhatWaits();
   void supply();
-  template <typename Command> bool send(const Command& command);
+  bool send(const Command& command);
   template <typename Way> bool plan(Way way, bool beginsRun, const program::JobPlace& place = {});
   bool takePlan();
   void giveUpPlans();

@@ -22,6 +22,7 @@ struct Allowed {
   bool operator==(const Allowed&) const = default;
 };
 
-[[nodiscard]] Allowed allowedIn(const control::Report& report, control::JobState job, bool isLoaded, bool isPlanning);
+/// `isOrdered`: something has been asked for that has not begun yet.
+[[nodiscard]] Allowed allowedIn(const control::Report& report, control::JobState job, bool isLoaded, bool isOrdered);
 
 } // namespace arris::ui
