@@ -5,14 +5,14 @@
 #include "app/progress.h"
 #include "core/control/control_thread.h"
 #include "core/control/driver_module.h"
-#include "core/control/supervisor.h"
+#include "core/control/station.h"
+#include "core/files/wall_clock.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <functional>
 #include <thread>
 
@@ -30,38 +30,29 @@ constexpr double kHomingPatience = 3600;
 /// The controller takes a program within this, s.
 constexpr double kLaunchWait = 5;
 
-std::string wallClock() {
-  const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  localtime_r(&now, &local);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &local);
-  return text;
+control::Pace paceOf(const HeadlessRun& run) {
+  return run.isFast ? control::Pace::Simulated : control::Pace::Real;
 }
 
 base::Expected<std::unique_ptr<control::AxisDriver>> axesOf(const HeadlessRun& run, const recipe::Machine& machine) {
   if (run.axes == "linuxcnc") {
     return control::linuxcncAxes(machine, run.moduleFolders);
   }
-  const control::Pace pace = run.isFast ? control::Pace::Simulated : control::Pace::Real;
-  return std::make_unique<control::SimulatedAxes>(machine, pace, machine.travel / 2); // as it was left, somewhere
+  return std::make_unique<control::SimulatedAxes>(machine, paceOf(run),
+                                                  machine.travel / 2); // as it was left, somewhere
 }
 
 /// The machine with its operator's side, in real or simulated time.
 class Machine {
 public:
   Machine(const HeadlessRun& run, const std::shared_ptr<const job::Job>& job, std::unique_ptr<control::AxisDriver> axes)
-      : m_run(run), m_job(job), m_keeper(run.folder, job, run.patternFile, run.patternHash, wallClock, run.panes),
-        m_axes(std::move(axes)), m_simulated(dynamic_cast<control::SimulatedAxes*>(m_axes.get())),
-        m_controller(job->machine, m_channels),
-        m_supervisor(job->machine, m_channels,
-                     {[this](const control::Report& report) { hear(report); },
-                      [this](const control::FaultReport& fault) { hear(fault); }},
-                     run.isFast ? std::launch::deferred : std::launch::async) {
-    if (!run.isFast) {
-      m_thread.emplace(m_controller, *m_axes, job->machine.period);
-    }
-  }
+      : m_run(run), m_job(job),
+        m_keeper(run.folder, job, run.patternFile, run.patternHash, files::wallClock, run.panes),
+        m_simulated(dynamic_cast<control::SimulatedAxes*>(axes.get())),
+        m_station(job->machine, std::move(axes), paceOf(run),
+                  {[this](const control::Report& report) { hear(report); },
+                   [this](const control::FaultReport& fault) { hear(fault); }},
+                  [this](const control::Report& report) { inject(report); }) {}
 
   Executed execute() {
     // A run that could leave nothing to resume from does not begin.
@@ -72,13 +63,12 @@ public:
     comeToRest();
     m_keeper.finish();
     tell(m_keeper.takeProblems());
-    if (m_thread) {
-      const control::Timing timing = m_thread->timing();
-      if (const std::string missing = m_thread->shortcomings(); !missing.empty()) {
+    if (const control::ControlThread* const thread = m_station.thread()) {
+      const control::Timing timing = thread->timing();
+      if (const std::string missing = thread->shortcomings(); !missing.empty()) {
         complain(fmt::format("note: {}", missing));
       }
       fmt::print("Late wake-ups {}, least lead left {} periods\n", timing.lateWakeUps, timing.worstLead);
-      m_thread.reset();
     }
     return {status, m_keeper.record()};
   }
@@ -87,16 +77,17 @@ private:
   // Everything up to the cycle start; false where a fault or an interruption came in between.
   bool begin() {
     constexpr double kSoon = 5;
-    return until([this] { return latest().tick > 0; }, kSoon) && m_supervisor.enable() &&
-           until([this] { return latest().drivesReady; }, kSoon) && m_supervisor.home() &&
+    return until([this] { return latest().tick > 0; }, kSoon) && m_station.operatorSide().enable() &&
+           until([this] { return latest().drivesReady; }, kSoon) && m_station.operatorSide().home() &&
            until([this] { return latest().state == State::Idle && latest().homed; }, kHomingPatience) && park() &&
-           m_supervisor.load(m_job, panesLeft()) && start();
+           m_station.operatorSide().load(m_job, panesLeft()) && start();
   }
 
   bool park() {
     const bool isThere = (latest().commanded - m_job->machine.park).norm() < 1e-6;
-    return isThere || (m_supervisor.park() && until([this] { return latest().state == State::Positioning; }, 5) &&
-                       until([this] { return latest().state == State::Idle; }, kHomingPatience));
+    return isThere ||
+           (m_station.operatorSide().park() && until([this] { return latest().state == State::Positioning; }, 5) &&
+            until([this] { return latest().state == State::Idle; }, kHomingPatience));
   }
 
   [[nodiscard]] int panesLeft() const {
@@ -104,15 +95,16 @@ private:
   }
 
   bool start() {
-    m_supervisor.setOverride(m_run.overrideFactor);
-    const bool started = m_run.from ? m_supervisor.startFrom(*m_run.from) : m_supervisor.start();
-    while (m_supervisor.isPlanning() && !interrupted()) {
+    m_station.operatorSide().setOverride(m_run.overrideFactor);
+    const bool started =
+        m_run.from ? m_station.operatorSide().startFrom(*m_run.from) : m_station.operatorSide().start();
+    while (m_station.operatorSide().isPlanning() && !interrupted()) {
       pass();
     }
-    if (m_supervisor.refusal()) {
-      tell({&*m_supervisor.refusal(), 1}, "on the table");
+    if (m_station.operatorSide().refusal()) {
+      tell({&*m_station.operatorSide().refusal(), 1}, "on the table");
     }
-    return started && !m_supervisor.refusal();
+    return started && !m_station.operatorSide().refusal();
   }
 
   ExitStatus grindAll() {
@@ -147,7 +139,7 @@ private:
   bool next() {
     m_began = false;
     if (m_simulated != nullptr) {
-      return m_supervisor.start();
+      return m_station.operatorSide().start();
     }
     complain("the next pane is ground when cycle start is pressed on the panel");
     while (latest().program == 0 && !isFaulted() && !interrupted()) {
@@ -159,11 +151,11 @@ private:
   // The pane after so many that are done.
   ExitStatus grind(int done) {
     using control::JobState;
-    const auto isDone = [&] { return m_supervisor.panesDone() > done; };
+    const auto isDone = [&] { return m_station.operatorSide().panesDone() > done; };
     const auto isOver = [&] {
       m_began = m_began || latest().program != 0;
       const bool isForgotten = latest().state == State::Idle && latest().program == 0 && m_began;
-      return isDone() || m_supervisor.jobState() == JobState::Aborted || isForgotten || isFaulted();
+      return isDone() || m_station.operatorSide().jobState() == JobState::Aborted || isForgotten || isFaulted();
     };
     bool stops = false;
     double waits = 0;
@@ -172,7 +164,7 @@ private:
       waits += kServeEvery;
       if (interrupted() && !stops) {
         stops = true;
-        m_supervisor.stop();
+        m_station.operatorSide().stop();
       }
       if (stops && latest().state == State::Idle) {
         break;
@@ -201,11 +193,11 @@ private:
     constexpr int kMostPasses = 6000; // a minute
     for (int i = 0; i < kMostPasses && control::isMoving(latest().state); ++i) {
       if (i == 0) {
-        m_supervisor.stop();
+        m_station.operatorSide().stop();
       }
       pass();
     }
-    m_supervisor.serve();
+    m_station.operatorSide().serve();
   }
 
   [[nodiscard]] bool isFaulted() const {
@@ -213,22 +205,15 @@ private:
   }
 
   [[nodiscard]] const control::Report& latest() const {
-    return m_supervisor.latest();
+    return m_station.operatorSide().latest();
   }
 
   // So much time goes by, and the operator's side is served.
   void pass() {
-    if (m_thread) {
+    if (!m_run.isFast) {
       std::this_thread::sleep_for(std::chrono::duration<double>(kServeEvery));
-    } else {
-      const int periods = std::max(1, static_cast<int>(kServeEvery / m_job->machine.period));
-      for (int i = 0; i < periods; ++i) {
-        const control::Cycle& cycle = m_controller.advance(m_axes->read());
-        m_axes->write(cycle.setPoint, cycle.outputs);
-        inject(m_controller.report());
-      }
     }
-    m_supervisor.serve();
+    m_station.pass(std::max(1, static_cast<int>(kServeEvery / m_job->machine.period)));
   }
 
   bool until(const std::function<bool()>& isSo, double seconds) {
@@ -258,7 +243,7 @@ private:
 
   void hear(const control::Report& report) {
     m_keeper.add(report);
-    if (m_thread) {
+    if (!m_run.isFast) {
       inject(report);
     }
     if (report.runTick >= 0) {
@@ -275,24 +260,12 @@ private:
     complain(fmt::format("remedy: {}", row.remedy));
   }
 
-  static double lengthOf(const job::Job& job) {
-    double length = 0;
-    for (const motion::Segment& segment : job.track) {
-      length += motion::arcLength(segment, motion::parameterLength(segment));
-    }
-    return length;
-  }
-
   const HeadlessRun& m_run;
   std::shared_ptr<const job::Job> m_job;
-  double m_length = lengthOf(*m_job);
+  double m_length = motion::arcLength(m_job->track);
   control::RunKeeper m_keeper;
-  control::Channels m_channels;
-  std::unique_ptr<control::AxisDriver> m_axes;
-  control::SimulatedAxes* m_simulated; ///< where they are these; faults are injected into no others
-  control::Controller m_controller;
-  control::Supervisor m_supervisor;
-  std::optional<control::ControlThread> m_thread; ///< in real time
+  control::SimulatedAxes* m_simulated; ///< where the axes are these; faults are injected into no others
+  control::Station m_station;
   Progress m_progress;
   std::vector<Injection> m_injections = m_run.injections; ///< that are still to come
   double m_time = 0;                                      ///< of the run, s

@@ -228,8 +228,7 @@ bool Controller::isOnGlass() const {
     return false;
   }
   const Move move = segmentUnder().move;
-  return move == Move::LeadIn || move == Move::Contour || move == Move::Transition || move == Move::Roll ||
-         move == Move::LeadOut;
+  return move == Move::LeadIn || motion::isAlongContour(move) || move == Move::LeadOut;
 }
 
 // A wheel that stands turning on the glass rubs a dent.

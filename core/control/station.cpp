@@ -8,31 +8,38 @@
 namespace arris::control {
 
 struct Station::Parts {
-  Parts(const recipe::Machine& machine, Pace pace, Supervisor::Listener listener)
-      : axes(machine, pace, machine.travel / 2), controller(machine, channels),
+  Parts(const recipe::Machine& machine, std::unique_ptr<AxisDriver> driver, Pace pace, Supervisor::Listener listener,
+        std::function<void(const Report&)> hears)
+      : axes(std::move(driver)), controller(machine, channels),
         operatorSide(machine, channels, std::move(listener),
-                     pace == Pace::Real ? std::launch::async : std::launch::deferred) {
+                     pace == Pace::Real ? std::launch::async : std::launch::deferred),
+        eachPeriod(std::move(hears)) {
     if (pace == Pace::Real) {
-      thread.emplace(controller, axes, machine.period);
+      thread.emplace(controller, *axes, machine.period);
     }
   }
 
   Channels channels;
-  SimulatedAxes axes;
+  std::unique_ptr<AxisDriver> axes;
   Controller controller;
   Supervisor operatorSide;
+  std::function<void(const Report&)> eachPeriod;
   std::optional<ControlThread> thread; ///< last: it uses the others
 };
 
-Station::Station(const recipe::Machine& machine, Pace pace, Supervisor::Listener listener)
-    : m_parts(std::make_unique<Parts>(machine, pace, std::move(listener))) {}
+Station::Station(const recipe::Machine& machine, std::unique_ptr<AxisDriver> axes, Pace pace,
+                 Supervisor::Listener listener, std::function<void(const Report&)> eachPeriod)
+    : m_parts(std::make_unique<Parts>(machine, std::move(axes), pace, std::move(listener), std::move(eachPeriod))) {}
 
 Station::~Station() = default;
 
 void Station::pass(int periods) {
   for (int i = 0; i < periods && !m_parts->thread; ++i) {
-    const Cycle& cycle = m_parts->controller.advance(m_parts->axes.read());
-    m_parts->axes.write(cycle.setPoint, cycle.outputs);
+    const Cycle& cycle = m_parts->controller.advance(m_parts->axes->read());
+    m_parts->axes->write(cycle.setPoint, cycle.outputs);
+    if (m_parts->eachPeriod) {
+      m_parts->eachPeriod(m_parts->controller.report());
+    }
   }
   m_parts->operatorSide.serve();
 }
@@ -45,8 +52,8 @@ const Supervisor& Station::operatorSide() const {
   return m_parts->operatorSide;
 }
 
-SimulatedAxes& Station::axes() {
-  return m_parts->axes;
+const ControlThread* Station::thread() const {
+  return m_parts->thread ? &*m_parts->thread : nullptr;
 }
 
 } // namespace arris::control

@@ -7,12 +7,15 @@
 
 namespace arris::control {
 
-/// A simulated machine put together: axes, controller, channels and operator's side. In real time the controller has a
-/// thread of its own; in simulated time it goes on when it is told to. For one thread, as the operator's side.
+class ControlThread;
+
+/// A machine put together: axes, controller, channels and operator's side. In real time the controller has a thread of
+/// its own; in simulated time it goes on when it is told to. For one thread, as the operator's side.
 class Station {
 public:
-  /// Off, the axes in the middle of their travel.
-  Station(const recipe::Machine& machine, Pace pace, Supervisor::Listener listener);
+  /// `eachPeriod` hears of every period of simulated time before the next one.
+  Station(const recipe::Machine& machine, std::unique_ptr<AxisDriver> axes, Pace pace, Supervisor::Listener listener,
+          std::function<void(const Report&)> eachPeriod = {});
 
   /// Ends at once; whoever ends it has brought the axes to rest before.
   ~Station();
@@ -24,7 +27,9 @@ public:
 
   [[nodiscard]] Supervisor& operatorSide();
   [[nodiscard]] const Supervisor& operatorSide() const;
-  [[nodiscard]] SimulatedAxes& axes();
+
+  /// Null in simulated time.
+  [[nodiscard]] const ControlThread* thread() const;
 
 private:
   struct Parts;

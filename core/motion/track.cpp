@@ -43,4 +43,12 @@ double arcLength(const Segment& segment, double lambda) {
   return parabola ? geometry::arcLength(*parabola, lambda) : lambda;
 }
 
+double arcLength(std::span<const Segment> way) {
+  double length = 0;
+  for (const Segment& segment : way) {
+    length += arcLength(segment, parameterLength(segment));
+  }
+  return length;
+}
+
 } // namespace arris::motion

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <limits>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -19,6 +20,11 @@ struct Vertical {
 
 /// What a segment of the track is for; names as in the profile's `phase` column where they are the same.
 enum class Move { Approach, Plunge, LeadIn, Contour, Transition, Roll, LeadOut, Retract, Traverse };
+
+/// Whether it goes along the glass: leads do not.
+[[nodiscard]] constexpr bool isAlongContour(Move move) {
+  return move == Move::Contour || move == Move::Transition || move == Move::Roll;
+}
 
 /// A piece of the whole program of motion: one primitive with what bounds the speed on it.
 struct Segment {
@@ -49,5 +55,8 @@ struct Evaluation {
 
 /// True length travelled from 0 to λ.
 [[nodiscard]] double arcLength(const Segment& segment, double lambda);
+
+/// True length of a whole way, mm.
+[[nodiscard]] double arcLength(std::span<const Segment> way);
 
 } // namespace arris::motion

@@ -31,10 +31,6 @@ constexpr double kBackAgain = 1;
 /// In the middle of how many segments before the place a lead-in is tried.
 constexpr int kTriedMiddles = 100;
 
-bool isWork(Move move) {
-  return move == Move::Contour || move == Move::Transition || move == Move::Roll;
-}
-
 toolpath::EdgeId nearestEdge(const toolpath::Glass& glass, const Point& point) {
   toolpath::EdgeId best = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -82,7 +78,7 @@ private:
   // The place so much before another, mm along the way; the start of a transition instead of a place inside. Nothing
   // where that is before the contour.
   [[nodiscard]] std::optional<JobPlace> back(JobPlace place, double distance) const {
-    while (isWork(at(place.segment).move)) {
+    while (motion::isAlongContour(at(place.segment).move)) {
       const Segment& segment = at(place.segment);
       const double way = motion::arcLength(segment, place.lambda);
       if (distance <= way) {
@@ -102,7 +98,7 @@ private:
 
   [[nodiscard]] std::optional<Joining> inAMiddle(const JobPlace& place) const {
     int segment = place.segment;
-    for (int i = 0; i < kTriedMiddles && isWork(at(segment).move); ++i, --segment) {
+    for (int i = 0; i < kTriedMiddles && motion::isAlongContour(at(segment).move); ++i, --segment) {
       const JobPlace middle{segment, motion::parameterLength(at(segment)) / 2};
       if (at(segment).move == Move::Transition || (segment == place.segment && middle.lambda > place.lambda)) {
         continue;
@@ -195,7 +191,7 @@ Program resumeProgram(const job::Job& job, const JobPlace& place, double overlap
     return program;
   }
   const std::optional<Joining> joining =
-      isWork(job.track[segment].move) ? JoiningSearch(job).before(place, overlap) : std::nullopt;
+      motion::isAlongContour(job.track[segment].move) ? JoiningSearch(job).before(place, overlap) : std::nullopt;
   const Point start = joining ? joining->lead.start : geometry::startPoint(motion::curveOf(job.track[begin]));
   if (begin > 0 && job.track[begin - 1].move == Move::Plunge) {
     --begin;

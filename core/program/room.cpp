@@ -53,7 +53,7 @@ bool Room::has(int segment, double beside) const {
     return true;
   }
   const motion::Segment& way = m_job.track[static_cast<std::size_t>(segment)];
-  if (way.move != Move::Contour && way.move != Move::Transition && way.move != Move::Roll) {
+  if (!motion::isAlongContour(way.move)) {
     return false;
   }
   const std::vector<WayPiece> pieces = piecesOf(motion::curveOf(way));

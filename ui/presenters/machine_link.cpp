@@ -1,7 +1,6 @@
 #include "ui/presenters/machine_link.h"
 
-#include <QCoreApplication>
-#include <QDateTime>
+#include "core/files/wall_clock.h"
 
 #include <algorithm>
 #include <chrono>
@@ -25,15 +24,15 @@ constexpr int kFastPeriods = 10;
 /// For the axes to come to rest at the end, ms.
 constexpr int kRestPatience = 60'000;
 
-std::string timeOfDay() {
-  return QDateTime::currentDateTime().toString(Qt::ISODate).toStdString();
-}
-
 } // namespace
 
 MachineLink::MachineLink(const MachineSetup& setup, QObject* parent)
-    : QObject(parent), m_folder(setup.folder), m_pace(setup.pace), m_machine(setup.machine),
-      m_station(setup.machine, setup.pace,
+    : MachineLink(setup, std::make_unique<control::SimulatedAxes>(setup.machine, setup.pace, setup.machine.travel / 2),
+                  parent) {}
+
+MachineLink::MachineLink(const MachineSetup& setup, std::unique_ptr<control::SimulatedAxes> axes, QObject* parent)
+    : QObject(parent), m_folder(setup.folder), m_pace(setup.pace), m_machine(setup.machine), m_axes(axes.get()),
+      m_station(setup.machine, std::move(axes), setup.pace,
                 {[this](const control::Report& report) { hear(report); },
                  [this](const control::FaultReport& fault) { hear(fault); }}) {
   connect(&m_timer, &QTimer::timeout, this, &MachineLink::pass);
@@ -93,12 +92,12 @@ void MachineLink::hear(const control::FaultReport& fault) {
   if (m_keeper) {
     m_keeper->add(fault);
   }
-  m_alarms.push_back({fault, timeOfDay()});
+  m_alarms.push_back({fault, files::wallClock()});
   Q_EMIT alarmRaised(m_alarms.back());
 }
 
 Allowed MachineLink::allowed() const {
-  return allowedIn(report(), jobState(), m_loaded != nullptr, m_station.operatorSide().isPlanning());
+  return allowedIn(report(), jobState(), m_loaded != nullptr, m_station.operatorSide().isOrdered());
 }
 
 double MachineLink::progress() const {
@@ -122,7 +121,7 @@ void MachineLink::home() {
 }
 
 void MachineLink::acknowledge() {
-  if (m_station.operatorSide().acknowledge()) {
+  if (allowed().acknowledge && m_station.operatorSide().acknowledge()) {
     for (Alarm& alarm : m_alarms) {
       alarm.isActive = false;
     }
@@ -137,22 +136,11 @@ void MachineLink::load(const PlanPointer& plan, int panes) {
     return;
   }
   m_loaded = plan;
-  m_length = 0;
-  for (const motion::Segment& segment : job->track) {
-    m_length += motion::arcLength(segment, motion::parameterLength(segment));
-  }
+  m_length = motion::arcLength(job->track);
   m_complaint.reset();
   m_keeper = std::make_unique<control::RunKeeper>(m_folder, job, plan->import->file.string(), plan->import->hash,
-                                                  timeOfDay, control::PaneOrder{1, panes});
+                                                  files::wallClock, control::PaneOrder{1, panes});
   Q_EMIT changed();
-}
-
-void MachineLink::unload() {
-  if (m_station.operatorSide().unload()) {
-    m_loaded.reset();
-    m_keeper.reset();
-    Q_EMIT changed();
-  }
 }
 
 void MachineLink::start() {
@@ -197,11 +185,11 @@ void MachineLink::setOverride(double factor) {
 }
 
 void MachineLink::inject(control::SimulatedFault fault) {
-  m_station.axes().inject(fault);
+  m_axes->inject(fault);
 }
 
 void MachineLink::clearFaults() {
-  m_station.axes().clearFaults();
+  m_axes->clearFaults();
 }
 
 } // namespace arris::ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/control/run_keeper.h"
+#include "core/control/simulated_axes.h"
 #include "core/control/station.h"
 #include "ui/presenters/allowed.h"
 #include "ui/presenters/planner.h"
@@ -93,7 +94,6 @@ public:
   void home();
   void acknowledge();
   void load(const PlanPointer& plan, int panes);
-  void unload();
   void start(); ///< cycle start: the next pane, or the pane that was broken off from where it was
   void hold();
   void resume();
@@ -114,6 +114,8 @@ Q_SIGNALS:
   void alarmRaised(const arris::ui::Alarm& alarm);
 
 private:
+  MachineLink(const MachineSetup& setup, std::unique_ptr<control::SimulatedAxes> axes, QObject* parent);
+
   void pass();
 
   [[nodiscard]] const control::Supervisor& operatorSide() const {
@@ -127,6 +129,7 @@ private:
   control::StateFolder m_folder;
   control::Pace m_pace;
   recipe::Machine m_machine;
+  control::SimulatedAxes* m_axes; ///< the station's
   control::Station m_station;
   PlanPointer m_loaded;
   double m_length = 1; ///< of the job's way, mm
