@@ -13,6 +13,9 @@ namespace arris::ui {
 
 class CornerBands;
 
+/// Of a plot in the window, px per unit of figures.
+inline constexpr double kPlotUnit = 0.5;
+
 /// Velocity and acceleration of X and Y, path speed and distance to the corner over one time axis, with the corners
 /// marked and the limits drawn; after the paper's Figures 8 and 10. The window shows it, figures are printed from it.
 /// With the focus, arrows move the time that is pointed at, plus and minus zoom, and Home shows the work.

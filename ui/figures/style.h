@@ -53,6 +53,14 @@ struct FigureStyle {
   }
 };
 
+/// On a screen, with the operator's numbers.
+[[nodiscard]] inline FigureStyle screenStyle(double unit) {
+  FigureStyle style;
+  style.unit = unit;
+  style.locale = QLocale();
+  return style;
+}
+
 // Sizes, in units of figures.
 inline constexpr double kTextHeight = 27;
 inline constexpr double kSmallTextHeight = 24;

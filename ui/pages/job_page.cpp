@@ -6,13 +6,13 @@
 #include "ui/text/problem_texts.h"
 #include "ui/text/quantities.h"
 #include "ui/views/drawing_view.h"
+#include "ui/widgets/busy_bar.h"
 #include "ui/widgets/signs.h"
 #include "ui/widgets/theme.h"
 
 #include <QBoxLayout>
 #include <QButtonGroup>
 #include <QLabel>
-#include <QProgressBar>
 #include <QResizeEvent>
 #include <QSplitter>
 #include <QToolButton>
@@ -28,10 +28,8 @@ constexpr int kRecipeWidth = 236;
 constexpr int kFindingsWidth = 540;
 constexpr int kBesideFrom = 1500; // px: from this width on the findings stand beside the drawing
 constexpr int kStateSignSize = 24;
-constexpr int kBusyHeight = 8;
 constexpr int kComplaintWidth = 520;
 constexpr int kComplaintMargin = 10;
-constexpr double kPlotUnit = 0.5; // px per unit of figures
 
 enum View { DrawingOnly, ProfileOnly, Both };
 
@@ -43,19 +41,12 @@ QToolButton* makeButton(const QString& text, const QString& name) {
   return button;
 }
 
-FigureStyle plotStyle() {
-  FigureStyle style;
-  style.unit = kPlotUnit;
-  style.locale = QLocale();
-  return style;
-}
-
 } // namespace
 
 JobPage::JobPage(Planner& planner, QWidget* parent)
     : QWidget(parent), m_planner(planner), m_recipe(new RecipePanel(planner.recipe(), planner.machine())),
-      m_drawing(new DrawingView), m_profile(new ProfilePlot(plotStyle())), m_findings(new FindingsPanel),
-      m_stateSign(new QLabel), m_state(new QLabel), m_complaint(new QLabel(this)), m_busy(new QProgressBar),
+      m_drawing(new DrawingView), m_profile(new ProfilePlot(screenStyle(kPlotUnit))), m_findings(new FindingsPanel),
+      m_stateSign(new QLabel), m_state(new QLabel), m_complaint(new QLabel(this)), m_busy(new BusyBar(tr("Planning"))),
       m_viewButtons(new QButtonGroup(this)), m_views(new QSplitter(Qt::Vertical)),
       m_split(new QSplitter(Qt::Vertical)) {
   m_recipe->setFixedWidth(kRecipeWidth);
@@ -104,13 +95,6 @@ QWidget* JobPage::makeHeader() {
   m_stateSign->setFixedSize(kStateSignSize, kStateSignSize);
   m_state->setObjectName(QStringLiteral("state"));
   m_state->setWordWrap(true);
-  m_busy->setRange(0, 0);
-  m_busy->setTextVisible(false);
-  m_busy->setFixedHeight(kBusyHeight);
-  m_busy->setAccessibleName(tr("Planning"));
-  QSizePolicy keepsPlace = m_busy->sizePolicy();
-  keepsPlace.setRetainSizeWhenHidden(true);
-  m_busy->setSizePolicy(keepsPlace);
   layout->addSpacing(2);
   layout->addWidget(m_stateSign);
   layout->addWidget(m_state, 1);
@@ -120,6 +104,7 @@ QWidget* JobPage::makeHeader() {
     QToolButton* button = makeButton(text, name);
     button->setToolTip(what);
     button->setAccessibleName(what);
+    button->setProperty("sign", text.size() == 1);
     layout->addWidget(button);
     connect(button, &QToolButton::clicked, this, [this, drawing, plot] {
       if (m_viewButtons->checkedId() != ProfileOnly) {

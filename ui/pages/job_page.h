@@ -6,11 +6,11 @@
 
 class QButtonGroup;
 class QLabel;
-class QProgressBar;
 class QSplitter;
 
 namespace arris::ui {
 
+class BusyBar;
 class DrawingView;
 class FindingsPanel;
 class ProfilePlot;
@@ -54,7 +54,7 @@ private:
   QLabel* m_stateSign;
   QLabel* m_state;
   QLabel* m_complaint; // over the drawing, beside the field that it is about
-  QProgressBar* m_busy;
+  BusyBar* m_busy;
   QButtonGroup* m_viewButtons;
   QSplitter* m_views;
   QSplitter* m_split;

@@ -3,6 +3,7 @@
 #include "ui/figures/profile_figure.h"
 #include "ui/figures/profile_plot.h"
 #include "ui/text/problem_texts.h"
+#include "ui/widgets/busy_bar.h"
 #include "ui/widgets/instant_values.h"
 #include "ui/widgets/signs.h"
 
@@ -10,7 +11,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
-#include <QProgressBar>
 #include <QToolButton>
 
 #include <algorithm>
@@ -19,16 +19,7 @@ namespace arris::ui {
 namespace {
 
 constexpr int kProfileSignSize = 24;
-constexpr int kBusyBarHeight = 8;
-constexpr double kProfilesUnit = 0.5; // px per unit of figures
 constexpr double kRoomAtCorner = 0.1; // of its time, before and after
-
-FigureStyle profilesStyle() {
-  FigureStyle style;
-  style.unit = kProfilesUnit;
-  style.locale = QLocale();
-  return style;
-}
 
 QString nameOfFile(const std::filesystem::path& file) {
   return QString::fromStdString(file.filename().string());
@@ -42,8 +33,8 @@ QString breakable(QString text) {
 } // namespace
 
 ProfilesPage::ProfilesPage(Planner& planner, QWidget* parent)
-    : QWidget(parent), m_planner(planner), m_plot(new ProfilePlot(profilesStyle())), m_values(new InstantValues),
-      m_stateSign(new QLabel), m_state(new QLabel), m_busy(new QProgressBar) {
+    : QWidget(parent), m_planner(planner), m_plot(new ProfilePlot(screenStyle(kPlotUnit))), m_values(new InstantValues),
+      m_stateSign(new QLabel), m_state(new QLabel), m_busy(new BusyBar(tr("Reading"))) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 4, 6, 4);
   layout->setSpacing(4);
@@ -66,6 +57,7 @@ QToolButton* ProfilesPage::addButton(QBoxLayout& layout, const QString& text, co
   button->setObjectName(QString::fromLatin1(name));
   button->setToolTip(what);
   button->setAccessibleName(what);
+  button->setProperty("sign", text.size() == 1);
   button->setFocusPolicy(Qt::StrongFocus);
   layout.addWidget(button);
   connect(button, &QToolButton::clicked, this, act);
@@ -110,13 +102,6 @@ QWidget* ProfilesPage::makeTexts() {
   m_stateSign->setFixedSize(kProfileSignSize, kProfileSignSize);
   m_state->setObjectName(QStringLiteral("profilesState"));
   m_state->setWordWrap(true);
-  m_busy->setRange(0, 0);
-  m_busy->setTextVisible(false);
-  m_busy->setFixedHeight(kBusyBarHeight);
-  m_busy->setAccessibleName(tr("Reading"));
-  QSizePolicy keepsPlace = m_busy->sizePolicy();
-  keepsPlace.setRetainSizeWhenHidden(true);
-  m_busy->setSizePolicy(keepsPlace);
   m_busy->hide();
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);

@@ -12,11 +12,11 @@
 
 class QBoxLayout;
 class QLabel;
-class QProgressBar;
 class QToolButton;
 
 namespace arris::ui {
 
+class BusyBar;
 class InstantValues;
 class ProfilePlot;
 
@@ -79,7 +79,7 @@ private:
   QToolButton* m_overlay = nullptr;
   QLabel* m_stateSign;
   QLabel* m_state;
-  QProgressBar* m_busy;
+  BusyBar* m_busy;
   std::vector<QToolButton*> m_forProfiles; ///< of use only while something is shown
   std::vector<QToolButton*> m_forCorners;  ///< of use only while it has corners
 };

@@ -354,27 +354,9 @@ TEST_F(Profiles, LookRightOnALargeScreen) {
   test::keep("profiles-large-many", m_page);
 }
 
-/// Stands before the page that speaks it.
-class PageLanguage {
-public:
-  explicit PageLanguage(const QString& name) : m_translators(installTranslators({name})) {
-    QLocale::setDefault(QLocale(name));
-  }
-
-  ~PageLanguage() {
-    QLocale::setDefault(test::kEnglish);
-  }
-
-  PageLanguage(const PageLanguage&) = delete;
-  PageLanguage& operator=(const PageLanguage&) = delete;
-
-private:
-  std::vector<std::unique_ptr<QTranslator>> m_translators;
-};
-
-class TranslatedProfiles : public testing::WithParamInterface<std::string>, public PageLanguage, public Profiles {
+class TranslatedProfiles : public testing::WithParamInterface<std::string>, public test::Language, public Profiles {
 protected:
-  TranslatedProfiles() : PageLanguage(QString::fromStdString(GetParam())) {}
+  TranslatedProfiles() : Language(GetParam()) {}
 };
 
 TEST_P(TranslatedProfiles, ShowEverythingOnTheSmallestScreen) {

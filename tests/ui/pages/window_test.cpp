@@ -403,27 +403,9 @@ TEST_F(Window, LooksRightInEverySize) {
   test::keep("window-large-many", m_window);
 }
 
-/// Stands before the window that speaks it.
-class Language {
-public:
-  explicit Language(const QString& name) : m_translators(installTranslators({name})) {
-    QLocale::setDefault(QLocale(name));
-  }
-
-  ~Language() {
-    QLocale::setDefault(test::kEnglish);
-  }
-
-  Language(const Language&) = delete;
-  Language& operator=(const Language&) = delete;
-
-private:
-  std::vector<std::unique_ptr<QTranslator>> m_translators;
-};
-
-class TranslatedWindow : public testing::WithParamInterface<std::string>, public Language, public Window {
+class TranslatedWindow : public testing::WithParamInterface<std::string>, public test::Language, public Window {
 protected:
-  TranslatedWindow() : Language(QString::fromStdString(GetParam())) {}
+  TranslatedWindow() : Language(GetParam()) {}
 
   void keep(const char* name) {
     test::keep("window-" + GetParam() + "-" + name, m_window);

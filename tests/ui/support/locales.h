@@ -1,9 +1,13 @@
 #pragma once
 
+#include "ui/text/translators.h"
+
 #include <QDir>
 #include <QLocale>
 #include <QStringList>
+#include <QTranslator>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,5 +24,25 @@ inline const QLocale kGerman(QLocale::German, QLocale::Germany);
   }
   return names;
 }
+
+/// Speaks a language as long as it lives; stands before the widgets that speak it.
+class Language {
+public:
+  explicit Language(const std::string& name) : m_translators(ui::installTranslators({QString::fromStdString(name)})) {
+    QLocale::setDefault(QLocale(QString::fromStdString(name)));
+  }
+
+  ~Language() {
+    QLocale::setDefault(kEnglish);
+  }
+
+  Language(const Language&) = delete;
+  Language& operator=(const Language&) = delete;
+  Language(Language&&) = delete;
+  Language& operator=(Language&&) = delete;
+
+private:
+  std::vector<std::unique_ptr<QTranslator>> m_translators;
+};
 
 } // namespace arris::test
