@@ -65,6 +65,10 @@ MainWindow::MainWindow(const MachineSetup& setup, PlannerSteps steps, QWidget* p
   });
 }
 
+MainWindow::~MainWindow() {
+  delete takeCentralWidget();
+}
+
 void MainWindow::addPage(QWidget* page, const QString& text, const QString& name) {
   m_pages->addWidget(page);
   m_strip->addPage(text, name);
@@ -76,16 +80,16 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   event->ignore();
-  if (m_closes) { // on its way
+  if (m_closes || m_question) { // on its way, or being asked
     return;
   }
-  auto* question = new QMessageBox(QMessageBox::Warning, tr("The machine is moving"),
-                                   tr("Stop the machine and close Arris? The job can be resumed later."),
-                                   QMessageBox::NoButton, this);
-  QPushButton* stops = question->addButton(tr("Stop and close"), QMessageBox::AcceptRole);
-  question->addButton(tr("Keep running"), QMessageBox::RejectRole);
-  question->setAttribute(Qt::WA_DeleteOnClose);
-  question->setModal(false); // FEED HOLD and STOP stay within reach
+  m_question = new QMessageBox(QMessageBox::Warning, tr("The machine is moving"),
+                               tr("Stop the machine and close Arris? The job can be resumed later."),
+                               QMessageBox::NoButton, this);
+  QPushButton* stops = m_question->addButton(tr("Stop and close"), QMessageBox::AcceptRole);
+  m_question->addButton(tr("Keep running"), QMessageBox::RejectRole);
+  m_question->setAttribute(Qt::WA_DeleteOnClose);
+  m_question->setModal(false); // FEED HOLD and STOP stay within reach
   connect(stops, &QPushButton::clicked, this, [this] {
     m_closes = true;
     m_machine.stop();
@@ -93,7 +97,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
       close();
     }
   });
-  question->show();
+  m_question->show();
 }
 
 void MainWindow::openPattern(const std::filesystem::path& file) {

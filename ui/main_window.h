@@ -3,9 +3,12 @@
 #include "ui/presenters/machine_link.h"
 
 #include <QMainWindow>
+#include <QPointer>
 #include <QStackedWidget>
 
 #include <filesystem>
+
+class QMessageBox;
 
 namespace arris::ui {
 
@@ -18,6 +21,12 @@ class MainWindow : public QMainWindow {
 
 public:
   explicit MainWindow(const MachineSetup& setup, PlannerSteps steps = plannerSteps(), QWidget* parent = nullptr);
+
+  ~MainWindow() override; ///< the pages first: they use planner and machine
+  MainWindow(const MainWindow&) = delete;
+  MainWindow& operator=(const MainWindow&) = delete;
+  MainWindow(MainWindow&&) = delete;
+  MainWindow& operator=(MainWindow&&) = delete;
 
   void openPattern(const std::filesystem::path& file);
 
@@ -43,8 +52,9 @@ private:
   MachineLink m_machine;
   ControlStrip* m_strip;
   QStackedWidget* m_pages;
-  bool m_closes = false; // as soon as the axes are at rest
-  QString m_folder;      // where the last pattern was
+  QPointer<QMessageBox> m_question; // whether to stop and close
+  bool m_closes = false;            // as soon as the axes are at rest
+  QString m_folder;                 // where the last pattern was
 };
 
 } // namespace arris::ui

@@ -1,5 +1,6 @@
 #include "ui/pages/run_page.h"
 
+#include "core/files/run_record.h"
 #include "ui/text/quantities.h"
 #include "ui/views/drawing_view.h"
 #include "ui/widgets/hold_button.h"
@@ -19,9 +20,8 @@ using control::State;
 
 namespace {
 
-constexpr int kColumnWidth = 316; // px
+constexpr int kColumnWidth = 324; // px
 constexpr int kProgressSteps = 1000;
-constexpr int kMostPanes = 999;
 constexpr double kOverrideStep = 0.1;
 constexpr double kStepLength = 10; // mm
 constexpr int kPlaceDecimals = 3;
@@ -114,6 +114,7 @@ QWidget* RunPage::makeOverride() {
     auto* button = new QPushButton(text);
     button->setObjectName(name);
     button->setAccessibleName(what);
+    button->setProperty("sign", true);
     connect(button, &QPushButton::clicked, this, [this, by] { changeOverride(by); });
     row->addWidget(button);
   };
@@ -130,6 +131,8 @@ QWidget* RunPage::makePanes() {
   grid->setContentsMargins(0, 0, 0, 0);
   m_fewer = new QPushButton(QStringLiteral("−"));
   m_more = new QPushButton(QStringLiteral("+"));
+  m_fewer->setProperty("sign", true);
+  m_more->setProperty("sign", true);
   m_fewer->setAccessibleName(tr("Fewer panes"));
   m_more->setAccessibleName(tr("More panes"));
   m_fewer->setObjectName(QStringLiteral("panesFewer"));
@@ -221,7 +224,7 @@ void RunPage::showReport() {
                                       : QStringLiteral(" "));
   if (report.homed) {
     const bool shows = m_machine.loaded() && m_machine.jobState() != control::JobState::Initialized;
-    m_drawing->setWheel(LiveWheel{report.measured.head<2>(), shows ? report.place.segment : -1});
+    m_drawing->setWheel(LiveWheel{report.measured.head<2>(), shows ? report.place : program::JobPlace()});
   } else {
     m_drawing->setWheel(std::nullopt);
   }
@@ -238,7 +241,7 @@ void RunPage::changeOverride(double by) {
 }
 
 void RunPage::changePanes(int by) {
-  m_order = std::clamp(m_order + by, 1, kMostPanes);
+  m_order = std::clamp(m_order + by, 1, files::kMostPanes);
   m_panes->setText(QString::number(m_order));
   m_fewer->setEnabled(m_order > 1);
 }

@@ -29,6 +29,7 @@ constexpr double kSceneRoom = 20;   // times the drawing's size can be panned
 
 constexpr double kGroundLine = 5; // px
 constexpr double kGroundTolerance = 0.3;
+constexpr int kGroundPoints = 100; // of the segment that the wheel is on
 constexpr double kWheelLine = 2;
 constexpr double kWheelCentre = 3;
 constexpr int kWheelAlpha = 60;
@@ -44,9 +45,7 @@ double distance(const QPointF& a, const QPointF& b) {
 
 } // namespace
 
-DrawingView::DrawingView(QWidget* parent) : QGraphicsView(parent) {
-  m_style.unit = kPixelsPerUnit;
-  m_style.locale = QLocale();
+DrawingView::DrawingView(QWidget* parent) : QGraphicsView(parent), m_style(screenStyle(kPixelsPerUnit)) {
   setScene(new QGraphicsScene(this));
   setViewportUpdateMode(FullViewportUpdate);
   setDragMode(ScrollHandDrag);
@@ -62,12 +61,13 @@ DrawingView::DrawingView(QWidget* parent) : QGraphicsView(parent) {
 }
 
 void DrawingView::setPlan(PlanPointer plan) {
+  if (plan == m_plan) {
+    return;
+  }
   const bool another = !m_plan || !plan || m_plan->import->file != plan->import->file;
   m_plan = std::move(plan);
   m_labelsValid = false;
   m_still = {};
-  m_ground.clear();
-  m_groundTo = 0;
   if (another) {
     m_selected = 0;
     m_marked.reset();
@@ -213,26 +213,59 @@ void DrawingView::paintStill(QPainter& painter) {
   paintLegend(painter);
 }
 
-// The wheel moves thirty times a second, all else only when somebody moves it.
-void DrawingView::paintOverStill(QPainter& painter) {
+// What has been ground since the last time is added; all else is painted anew only when somebody moves the view.
+void DrawingView::renewStill(QPainter::RenderHints hints) {
+  const QTransform toView = viewportTransform();
   const double ratio = devicePixelRatioF();
-  if (m_still.isNull() || m_stillFor != viewportTransform() || m_still.size() != viewport()->size() * ratio) {
+  const int ground = std::clamp(m_wheel->done.segment, 0, static_cast<int>(m_plan->job.track.size()));
+  const bool isAnew = m_still.isNull() || m_stillFor != toView || m_still.size() != viewport()->size() * ratio ||
+                      ground < m_groundTo; // another pane, or a step back
+  if (isAnew) {
     m_still = QPixmap(viewport()->size() * ratio);
     m_still.setDevicePixelRatio(ratio);
     m_still.fill(m_style.palette.paper);
-    m_stillFor = viewportTransform();
-    QPainter still(&m_still);
-    still.setRenderHints(painter.renderHints());
-    paintStill(still);
+    m_stillFor = toView;
+    m_groundTo = 0;
   }
-  painter.drawPixmap(0, 0, m_still);
+  QPainter painter(&m_still);
+  painter.setRenderHints(hints);
+  if (isAnew) {
+    paintStill(painter);
+  }
+  for (; m_groundTo < ground; ++m_groundTo) {
+    paintGround(painter, m_groundTo, std::nullopt);
+  }
+}
+
+// A segment of the track, up to λ or to its end, where it goes along the glass.
+void DrawingView::paintGround(QPainter& painter, int segment, std::optional<double> lambda) const {
+  const motion::Segment& way = m_plan->job.track[static_cast<std::size_t>(segment)];
+  if (!motion::isAlongContour(way.move)) {
+    return;
+  }
   const QTransform toView = viewportTransform();
+  QPolygonF ground;
+  if (lambda) {
+    const double end = std::clamp(*lambda, 0.0, motion::parameterLength(way));
+    for (int i = 0; i <= kGroundPoints; ++i) {
+      ground << toView.map(toQt(motion::evaluate(way, end * i / kGroundPoints).point.head<2>()));
+    }
+  } else {
+    ground = flattened({motion::curveOf(way)}, toView, kGroundTolerance);
+  }
   painter.setPen(QPen(m_style.palette.lead, kGroundLine, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
   painter.setBrush(Qt::NoBrush);
-  for (const geometry::Curve& curve : m_ground) {
-    painter.drawPolyline(flattened({curve}, toView, kGroundTolerance));
+  painter.drawPolyline(ground);
+}
+
+void DrawingView::paintOverStill(QPainter& painter) {
+  renewStill(painter.renderHints());
+  painter.drawPixmap(0, 0, m_still);
+  const bool isWithin = m_groundTo == m_wheel->done.segment && m_groundTo < static_cast<int>(m_plan->job.track.size());
+  if (isWithin) {
+    paintGround(painter, m_groundTo, m_wheel->done.lambda);
   }
-  const QPointF at = toView.map(toQt(m_wheel->at));
+  const QPointF at = viewportTransform().map(toQt(m_wheel->at));
   const double radius = m_plan->drawing.wheelRadius * pixelsPerMillimetre();
   QColor disc = m_style.palette.x;
   painter.setPen(QPen(disc, kWheelLine));
@@ -244,18 +277,6 @@ void DrawingView::paintOverStill(QPainter& painter) {
 
 void DrawingView::setWheel(const std::optional<LiveWheel>& wheel) {
   m_wheel = wheel;
-  const int passed = m_plan && wheel ? std::clamp(wheel->segment, 0, static_cast<int>(m_plan->job.track.size())) : 0;
-  if (passed < m_groundTo) { // another pane
-    m_ground.clear();
-    m_groundTo = 0;
-  }
-  for (; m_groundTo < passed; ++m_groundTo) {
-    const motion::Segment& segment = m_plan->job.track[static_cast<std::size_t>(m_groundTo)];
-    using motion::Move;
-    if (segment.move == Move::Contour || segment.move == Move::Transition || segment.move == Move::Roll) {
-      m_ground.push_back(motion::curveOf(segment));
-    }
-  }
   viewport()->update();
 }
 

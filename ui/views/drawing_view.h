@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/program/input_point.h"
 #include "ui/figures/corner_labels.h"
 #include "ui/figures/style.h"
 #include "ui/presenters/planner.h"
 
 #include <QGraphicsView>
+#include <QPainter>
 #include <QPixmap>
 
 #include <vector>
@@ -13,8 +15,8 @@ namespace arris::ui {
 
 /// The wheel while the machine works.
 struct LiveWheel {
-  geometry::Point at; ///< its centre, mm on the table
-  int segment = -1;   ///< of the job's track; what lies before it has been passed. −1 none
+  geometry::Point at;     ///< its centre, mm on the table
+  program::JobPlace done; ///< what lies before it on the job's way has been passed; none where the segment is −1
 };
 
 /// The drawing of a plan: drag to pan, wheel or pinch to zoom, tap a corner or a problem. All of it goes by keys and by
@@ -72,6 +74,8 @@ private:
   void showBox(const geometry::Box& box, double margin);
   void placeLabels();
   void paintStill(QPainter& painter);
+  void paintGround(QPainter& painter, int segment, std::optional<double> lambda) const;
+  void renewStill(QPainter::RenderHints hints);
   void paintOverStill(QPainter& painter);
   void paintLegend(QPainter& painter) const;
   [[nodiscard]] double pixelsPerMillimetre() const;
@@ -85,10 +89,9 @@ private:
   int m_selected = 0;
   std::optional<geometry::Point> m_marked;
   std::optional<LiveWheel> m_wheel;
-  std::vector<geometry::Curve> m_ground; // what has been ground
-  int m_groundTo = 0;                    // segments that are in it or do not belong there
-  QPixmap m_still;                       // all that does not move
+  QPixmap m_still; // all that does not move, with what has been ground
   QTransform m_stillFor;
+  int m_groundTo = 0;   // segments of the track whose grinding is in it
   bool m_fitted = true; // the view follows the size of the window until somebody zooms or pans
   QPoint m_pressed;
 };

@@ -11,9 +11,9 @@
 namespace arris::ui {
 namespace {
 
-constexpr int kBannerHeight = 52; // px: two lines of text
+constexpr int kBannerHeight = 76; // px: four lines of text
 constexpr int kBannerSign = 24;   // px
-constexpr int kStateWidth = 290;  // px
+constexpr int kStateWidth = 304;  // px
 
 } // namespace
 
@@ -35,12 +35,12 @@ AlarmBanner::AlarmBanner(MachineLink& machine, QWidget* parent)
   layout->addWidget(m_text, 1);
   layout->addWidget(m_acknowledge);
   connect(m_acknowledge, &QPushButton::clicked, &machine, &MachineLink::acknowledge);
-  connect(&machine, &MachineLink::changed, this, &AlarmBanner::show);
-  connect(&machine, &MachineLink::alarmRaised, this, &AlarmBanner::show);
-  show();
+  connect(&machine, &MachineLink::changed, this, &AlarmBanner::showState);
+  connect(&machine, &MachineLink::alarmRaised, this, &AlarmBanner::showState);
+  showState();
 }
 
-void AlarmBanner::show() {
+void AlarmBanner::showState() {
   const control::JobState job = m_machine.jobState();
   const QString panes = m_machine.loaded()
                             ? tr("%1 of %2 panes done").arg(m_machine.panesDone()).arg(m_machine.panesOrdered())

@@ -18,7 +18,7 @@ public:
   explicit AlarmBanner(MachineLink& machine, QWidget* parent = nullptr);
 
 private:
-  void show();
+  void showState();
 
   MachineLink& m_machine;
   QLabel* m_state;

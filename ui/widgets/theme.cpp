@@ -36,7 +36,7 @@ QPushButton:pressed, QToolButton:pressed { background: #cdd2d5; }
 QPushButton:checked, QToolButton:checked { background: #44525c; color: #ffffff; }
 QPushButton:disabled, QToolButton:disabled { color: #8a9298; border-color: #c6cbce; }
 QPushButton:checked:disabled, QToolButton:checked:disabled { background: #d6dadd; }
-QToolButton#zoomIn, QToolButton#zoomOut { padding: 0; }
+QToolButton[sign="true"], QPushButton[sign="true"] { padding: 0; }
 QCheckBox { min-height: 44px; spacing: 6px; border: 2px solid transparent; }
 QCheckBox::indicator { width: 26px; height: 26px; border: 2px solid #8a9298; border-radius: 4px; background: #ffffff; }
 QCheckBox::indicator:checked { image: url(:/signs/check.svg); }

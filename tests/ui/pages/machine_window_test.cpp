@@ -1,8 +1,11 @@
 // The window with the simulated machine, driven as a person would.
 
 #include "tests/ui/support/artefacts.h"
+#include "tests/ui/support/locales.h"
 #include "tests/ui/support/steps.h"
 #include "ui/main_window.h"
+#include "ui/text/machine_texts.h"
+#include "ui/views/drawing_view.h"
 #include "ui/widgets/hold_button.h"
 
 #include <QLabel>
@@ -149,6 +152,32 @@ TEST_F(MachineWindow, TellsAFaultOnEveryPageAndGoesOnAfterItsAcknowledgement) {
   ASSERT_TRUE(becomes(JobState::Ended));
 }
 
+TEST_F(MachineWindow, MarksWhatHasBeenGroundUpToTheWheelAndNothingAheadOfIt) {
+  getReady();
+  getOntoGlass();
+  const auto* drawing = button("cycleStart")->parentWidget()->parentWidget()->findChild<DrawingView*>();
+  tap("feedHold");
+  ASSERT_TRUE(becomes(State::Held));
+  QTest::qWait(20);
+  const control::Report& report = m_window.machine().report();
+  const job::Job& job = m_window.machine().loaded()->job;
+  const motion::Segment& on = job.track[static_cast<std::size_t>(report.place.segment)];
+  ASSERT_TRUE(motion::isAlongContour(on.move));
+  const double end = motion::parameterLength(on);
+  ASSERT_GT(report.place.lambda, 0.02 * end);
+  ASSERT_LT(report.place.lambda, 0.9 * end);
+  const QImage seen = drawing->viewport()->grab().toImage();
+  const double radius = job.recipe.wheelRadius;
+  const auto isMarkedAt = [&](double lambda) {
+    const Eigen::Vector3d at = motion::evaluate(on, lambda).point;
+    // Beside the middle of the line, where neither dashes nor arrows of the path are.
+    const QPointF place = drawing->viewportTransform().map(toQt(at.head<2>())) + QPointF(0, 2);
+    return seen.pixelColor(place.toPoint()).green() > seen.pixelColor(place.toPoint()).red() + 60;
+  };
+  EXPECT_FALSE(isMarkedAt(std::min(0.98 * end, report.place.lambda + 2 * radius)));
+  EXPECT_TRUE(isMarkedAt(report.place.lambda / 2)) << report.place.lambda;
+}
+
 TEST_F(MachineWindow, DoesNotStartWhereTheButtonIsLetGoTooSoonAndShowsNoEmergencyStop) {
   getReady();
   ASSERT_TRUE(QTest::qWaitFor([&] { return button("cycleStart")->isEnabled(); }, test::kPatience));
@@ -215,6 +244,62 @@ TEST_F(MachineWindow, AsksBeforeItClosesWhileTheMachineMovesAndStopsItFirst) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !m_window.isVisible(); }, test::kPatience));
   EXPECT_FALSE(control::isMoving(m_window.machine().report().state));
 }
+
+class TranslatedMachineWindow : public testing::WithParamInterface<std::string>,
+                                public test::Language,
+                                public MachineWindow {
+protected:
+  TranslatedMachineWindow() : Language(GetParam()) {}
+
+  void expectShown(const std::string& name) {
+    for (int i = 0; i < 5; ++i) { // layouts settle in turns
+      QTest::qWait(1);
+    }
+    EXPECT_EQ(m_window.size(), QSize(1024, 700));
+    test::expectNothingCutOff(m_window);
+    keep((name + "-" + GetParam()).c_str());
+  }
+};
+
+TEST_P(TranslatedMachineWindow, ShowsEverythingOnTheSmallestScreen) {
+  for (const char* page : {"pageSetup", "pageRun", "pageProfiles"}) {
+    tap(page);
+    expectShown(std::string(page) + "-empty");
+  }
+  getReady();
+  expectShown("run-loaded");
+  getOntoGlass();
+  expectShown("run-running");
+  tap("feedHold");
+  ASSERT_TRUE(becomes(State::Held));
+  expectShown("run-held");
+  tap("pageSetup");
+  m_window.machine().inject(control::SimulatedFault::VacuumLoss);
+  m_window.machine().resume();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !m_window.machine().alarms().empty(); }, test::kPatience));
+  ASSERT_TRUE(becomes(State::Faulted));
+  expectShown("setup-fault");
+  tap("pageRun");
+  expectShown("run-fault");
+}
+
+TEST_P(TranslatedMachineWindow, HasRoomForEveryAlarm) {
+  tap("pageRun");
+  auto* text = m_window.findChild<QLabel*>(QStringLiteral("alarmText"));
+  for (const control::FaultInfo& row : control::allFaults()) {
+    text->setText(faultText({0, row.fault, 1, 123.456}, QLocale()) + QLatin1Char('\n') + remedyText(row.fault));
+    EXPECT_LE(text->heightForWidth(text->width()), text->height()) << GetParam() << ": " << row.name;
+  }
+}
+
+std::vector<std::string> everyLanguage() {
+  std::vector<std::string> names = test::languages();
+  names.emplace_back("en");
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, TranslatedMachineWindow, testing::ValuesIn(everyLanguage()),
+                         [](const auto& tested) { return tested.param; });
 
 } // namespace
 } // namespace arris::ui
