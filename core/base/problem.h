@@ -121,6 +121,8 @@ struct Problem {
 
   Problem() = default;
 
+  bool operator==(const Problem&) const = default;
+
   explicit Problem(Code c, std::vector<Value> v = {}) : code(c), values(std::move(v)) {}
 
   // Builders, so that a problem with its place is one expression.

@@ -62,14 +62,21 @@ void MachineLink::pass() {
   }
   if (m_keeper) {
     for (const base::Problem& problem : m_keeper->takeProblems()) {
-      m_complaint = problem;
+      complain(problem);
     }
   }
-  if (m_station.operatorSide().refusal()) {
-    m_complaint = m_station.operatorSide().refusal();
+  if (const auto& refusal = m_station.operatorSide().refusal()) {
+    complain(*refusal);
   }
   Q_EMIT reported();
   tellChanges();
+}
+
+void MachineLink::complain(const base::Problem& problem) {
+  if (m_complaint != problem) {
+    m_complaint = problem;
+    Q_EMIT changed();
+  }
 }
 
 void MachineLink::tellChanges() {
@@ -130,16 +137,25 @@ void MachineLink::acknowledge() {
   }
 }
 
+// Nothing is loaded where its runs could leave nothing to resume from.
 void MachineLink::load(const PlanPointer& plan, int panes) {
-  const std::shared_ptr<const job::Job> job(plan, &plan->job);
-  if (!allowed().load || !m_station.operatorSide().load(job, panes)) {
+  if (!allowed().load) {
     return;
   }
+  const std::shared_ptr<const job::Job> job(plan, &plan->job);
+  auto keeper = std::make_unique<control::RunKeeper>(m_folder, job, plan->import->file.string(), plan->import->hash,
+                                                     files::wallClock, control::PaneOrder{1, panes});
+  if (const base::Problems problems = keeper->takeProblems(); !problems.empty()) {
+    complain(problems.front());
+    return;
+  }
+  if (!m_station.operatorSide().load(job, panes)) {
+    return;
+  }
+  m_keeper = std::move(keeper);
   m_loaded = plan;
   m_length = motion::arcLength(job->track);
   m_complaint.reset();
-  m_keeper = std::make_unique<control::RunKeeper>(m_folder, job, plan->import->file.string(), plan->import->hash,
-                                                  files::wallClock, control::PaneOrder{1, panes});
   Q_EMIT changed();
 }
 

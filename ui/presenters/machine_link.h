@@ -124,6 +124,7 @@ private:
 
   void hear(const control::Report& report);
   void hear(const control::FaultReport& fault);
+  void complain(const base::Problem& problem);
   void tellChanges();
 
   control::StateFolder m_folder;

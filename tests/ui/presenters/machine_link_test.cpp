@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 namespace arris::ui {
 namespace {
 
@@ -71,6 +73,18 @@ TEST_F(Machine, KeepsTheLoadedJobAsItWasWhateverIsPlannedMeanwhile) {
   m_machine.load(m_plan, 1); // refused while the machine works
   EXPECT_EQ(m_machine.loaded(), loaded);
   EXPECT_DOUBLE_EQ(m_machine.loaded()->job.recipe.feed, 3600);
+}
+
+TEST_F(Machine, LoadsNothingWhereItsRunsCouldLeaveNothingToResumeFromAndSaysSo) {
+  std::ofstream(m_scratch / "state") << "a file where the folder should be";
+  getReady();
+  QSignalSpy changed(&m_machine, &MachineLink::changed);
+  m_machine.load(m_plan, 1);
+  EXPECT_EQ(m_machine.loaded(), nullptr);
+  ASSERT_TRUE(m_machine.complaint());
+  EXPECT_EQ(m_machine.complaint()->code, base::Code::CannotWrite);
+  EXPECT_GE(changed.count(), 1);
+  EXPECT_FALSE(m_machine.allowed().start);
 }
 
 TEST_F(Machine, TellsAFaultOnceAndResumesTheJobOnlyAfterItsAcknowledgementAndACycleStart) {
