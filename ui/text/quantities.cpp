@@ -3,11 +3,23 @@
 #include "core/base/numbers.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <cmath>
 
 namespace arris::ui {
 namespace {
+
+constexpr double kInch = 25.4; // mm
+
+LengthUnit& shownUnit() {
+  static LengthUnit unit = LengthUnit::Millimetre;
+  return unit;
+}
+
+int shownDecimals(int decimals) {
+  return lengthUnit() == LengthUnit::Inch ? decimals + 1 : decimals;
+}
 
 QLocale withoutGroups(QLocale locale) {
   locale.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator);
@@ -35,6 +47,35 @@ QString numberText(double value, int decimals, const QLocale& locale) {
     }
   }
   return text;
+}
+
+void showLengthsIn(LengthUnit unit) {
+  shownUnit() = unit;
+}
+
+LengthUnit lengthUnit() {
+  return shownUnit();
+}
+
+double shownLength(double millimetres) {
+  return lengthUnit() == LengthUnit::Inch ? millimetres / kInch : millimetres;
+}
+
+double lengthFromShown(double shown) {
+  return lengthUnit() == LengthUnit::Inch ? shown * kInch : shown;
+}
+
+QString lengthText(double millimetres, int decimals, const QLocale& locale) {
+  return numberText(shownLength(millimetres), shownDecimals(decimals), locale);
+}
+
+QString fixedLengthText(double millimetres, int decimals, const QLocale& locale) {
+  return fixedText(shownLength(millimetres), shownDecimals(decimals), locale);
+}
+
+QString inShownUnits(QString text) {
+  static const QRegularExpression kMillimetre(QStringLiteral("\\bmm(?=\\b|²)"));
+  return lengthUnit() == LengthUnit::Inch ? text.replace(kMillimetre, QStringLiteral("in")) : text;
 }
 
 QString angleText(double radians, const QLocale& locale) {
