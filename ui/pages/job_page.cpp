@@ -72,7 +72,12 @@ JobPage::JobPage(Planner& planner, QWidget* parent)
   connectPlanner();
   connectViews();
   arrange();
-  showState();
+  if (planner.plan()) {
+    showPlan(planner.plan());
+  }
+  if (planner.curves()) {
+    showProfile(planner.curves());
+  }
   showBusy(planner.isBusy());
 }
 
@@ -140,14 +145,8 @@ void JobPage::connectPlanner() {
   connect(m_recipe, &RecipePanel::openRequested, this, &JobPage::openRequested);
   connect(&m_planner, &Planner::planned, this, &JobPage::showPlan);
   connect(&m_planner, &Planner::busyChanged, this, &JobPage::showBusy);
-  connect(&m_planner, &Planner::profileReady, this, [this](const CurvesPointer& curves) {
-    m_profile->setProfiles({*curves}, limitsOf(m_plan->job), m_profileShown);
-    m_profileShown = true;
-  });
-  connect(&m_planner, &Planner::openFailed, this, [this](const base::Problem& problem) {
-    m_openProblem = problem;
-    showState();
-  });
+  connect(&m_planner, &Planner::profileReady, this, &JobPage::showProfile);
+  connect(&m_planner, &Planner::openFailed, this, &JobPage::showState);
 }
 
 void JobPage::connectViews() {
@@ -174,7 +173,6 @@ void JobPage::showPlan(const PlanPointer& plan) {
     m_profileShown = false; // another pattern: the profile is shown from the start
   }
   m_plan = plan;
-  m_openProblem.reset();
   m_recipe->setPatternName(QString::fromStdString(plan->import->file.filename().string()));
   m_drawing->setPlan(plan);
   m_findings->setPlan(plan);
@@ -185,10 +183,15 @@ void JobPage::showPlan(const PlanPointer& plan) {
   showState();
 }
 
+void JobPage::showProfile(const CurvesPointer& curves) {
+  m_profile->setProfiles({*curves}, limitsOf(m_plan->job), m_profileShown);
+  m_profileShown = true;
+}
+
 void JobPage::showState() {
   std::optional<base::Severity> sign;
-  if (m_openProblem) {
-    m_state->setText(problemText(*m_openProblem, QLocale()));
+  if (const auto& problem = m_planner.openProblem()) {
+    m_state->setText(problemText(*problem, QLocale()));
     sign = base::Severity::Error;
   } else if (!m_plan) {
     m_state->setText(m_planner.isBusy() ? tr("Reading and planning…") : tr("No pattern is open."));

@@ -36,6 +36,7 @@ private:
   void connectPlanner();
   void connectViews();
   void showPlan(const PlanPointer& plan);
+  void showProfile(const CurvesPointer& curves);
   void showState();
   void showBusy(bool busy);
   void selectCorner(int corner);
@@ -46,7 +47,6 @@ private:
 
   Planner& m_planner;
   PlanPointer m_plan;
-  std::optional<base::Problem> m_openProblem;
   RecipePanel* m_recipe;
   DrawingView* m_drawing;
   ProfilePlot* m_profile;

@@ -47,6 +47,8 @@ ProfilesPage::ProfilesPage(Planner& planner, QWidget* parent)
   connect(m_plot, &ProfilePlot::instantPointed, this, &ProfilesPage::pointAt);
   connect(m_plot, &ProfilePlot::cornerTapped, this, &ProfilesPage::selectCorner);
   m_plot->setFocusPolicy(Qt::StrongFocus);
+  m_plan = planner.plan();
+  m_planned = planner.curves();
   showProfiles(View::Work);
 }
 

@@ -63,17 +63,13 @@ RunPage::RunPage(Planner& planner, MachineLink& machine, QWidget* parent)
   side->setLayout(column);
   column->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(side);
-  connect(&planner, &Planner::planned, this, [this](const PlanPointer& plan) {
-    m_plan = plan->job.canBeGround() ? plan : nullptr;
-    showDrawing();
-    showAllowed();
-  });
+  connect(&planner, &Planner::planned, this, &RunPage::showPlan);
   connect(&machine, &MachineLink::changed, this, [this] {
     showDrawing();
     showAllowed();
   });
   connect(&machine, &MachineLink::reported, this, &RunPage::showReport);
-  showAllowed();
+  showPlan(planner.plan());
   showReport();
 }
 
@@ -174,6 +170,12 @@ void RunPage::makeCommands(QVBoxLayout& column) {
   m_start->setToolTip(tr("Keep it pressed until the ring is full."));
   connect(m_start, &HoldButton::held, &m_machine, &MachineLink::start);
   column.addWidget(m_start);
+}
+
+void RunPage::showPlan(const PlanPointer& plan) {
+  m_plan = plan && plan->job.canBeGround() ? plan : nullptr;
+  showDrawing();
+  showAllowed();
 }
 
 // What the controller has, or else what it would get.

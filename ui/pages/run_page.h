@@ -29,6 +29,7 @@ private:
   void makeCommands(QVBoxLayout& column);
   void showReport();
   void showAllowed();
+  void showPlan(const PlanPointer& plan);
   void showDrawing();
   void loadPlan();
   void changeOverride(double by);

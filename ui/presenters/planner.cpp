@@ -104,13 +104,18 @@ void Planner::work(const Request& request) {
     plan->job = m_steps.plan(import->pattern, request.recipe, m_machine);
     plan->drawing = drawingOf(plan->job, import->pattern);
     deliver(request.number, [this, plan] {
-      m_planned = plan->job.recipe;
+      m_plan = plan;
+      m_curves.reset();
+      m_openProblem.reset();
       Q_EMIT planned(plan);
     });
     if (plan->job.canBeGround() && isLatest(request.number)) {
       const ProfileColumns columns = columnsOf(plan->job, [&] { return isLatest(request.number); });
       auto curves = std::make_shared<const ProfileCurves>(curvesOf(columns, QString()));
-      deliver(request.number, [this, curves] { Q_EMIT profileReady(curves); });
+      deliver(request.number, [this, curves] {
+        m_curves = curves;
+        Q_EMIT profileReady(curves);
+      });
     }
   }
   QMetaObject::invokeMethod(this, &Planner::finished, Qt::QueuedConnection);
@@ -134,9 +139,10 @@ std::shared_ptr<const Import> Planner::read(const Request& request, const patter
 void Planner::giveUpOpening(const base::Problem& problem) {
   m_reread = false;
   m_file = m_import ? m_import->file : std::filesystem::path();
-  if (m_recipe != m_planned) {
+  if (m_plan && m_recipe != m_plan->job.recipe) {
     request();
   }
+  m_openProblem = problem;
   Q_EMIT openFailed(problem);
 }
 

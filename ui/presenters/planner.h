@@ -69,6 +69,20 @@ public:
     return m_machine;
   }
 
+  /// The last plan, null before the first; and its profile, null until it is ready and where it cannot be ground.
+  [[nodiscard]] const PlanPointer& plan() const {
+    return m_plan;
+  }
+
+  [[nodiscard]] const CurvesPointer& curves() const {
+    return m_curves;
+  }
+
+  /// Why the last pattern could not be opened; none once there is another plan.
+  [[nodiscard]] const std::optional<base::Problem>& openProblem() const {
+    return m_openProblem;
+  }
+
   /// Something asked for is not there yet.
   [[nodiscard]] bool isBusy() const {
     return m_running;
@@ -98,7 +112,9 @@ private:
   recipe::Machine m_machine;
   PlannerSteps m_steps;
   recipe::Recipe m_recipe;
-  recipe::Recipe m_planned; // what the last plan was made with
+  PlanPointer m_plan;
+  CurvesPointer m_curves;
+  std::optional<base::Problem> m_openProblem;
   std::filesystem::path m_file;
   std::shared_ptr<const Import> m_import; // the last that was read
   std::atomic<quint64> m_latest = 0;
