@@ -1,6 +1,7 @@
 #include "ui/pages/recipe_panel.h"
 
 #include "core/base/numbers.h"
+#include "ui/text/job_texts.h"
 #include "ui/text/quantities.h"
 #include "ui/widgets/number_edit.h"
 
@@ -25,6 +26,14 @@ constexpr std::array<std::string_view, 7> kKeys{"wheel_radius_mm", "accel_x_mm_s
 // What concerns the pane; the operator's first.
 constexpr std::array<std::string_view, 5> kPaneKeys{"size_correction_mm", "lead_mm", "overlap_mm", "rotate_deg",
                                                     "smooth_mm"};
+
+QString toText(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+NumberSpec specOf(const recipe::NumberField& field, double most) {
+  return {toText(field.key), fieldText(field), toText(field.unit), field.least, std::min(most, field.most)};
+}
 
 double mostOn(const recipe::NumberField& field, const recipe::Machine& machine) {
   if (field.member == &recipe::Recipe::accelX) {
@@ -99,10 +108,14 @@ QWidget* RecipePanel::makePage(std::span<const std::string_view> keys, const rec
   layout->setSpacing(2);
   for (const std::string_view key : keys) {
     const recipe::NumberField& field = fieldOf(key);
-    auto* edit = new NumberEdit(field, mostOn(field, machine), m_recipe.*field.member);
+    auto* edit = new NumberEdit(specOf(field, mostOn(field, machine)), m_recipe.*field.member);
     m_fields.push_back(edit);
     layout->addWidget(edit);
-    connect(edit, &NumberEdit::valueChanged, this, [this, edit] { take(*edit); });
+    connect(edit, &NumberEdit::valueChanged, this, [this, member = field.member](double value) {
+      m_recipe.*member = value;
+      showRimSpeed();
+      Q_EMIT recipeChanged(m_recipe);
+    });
     connect(edit, &NumberEdit::complaintChanged, this, &RecipePanel::showComplaint);
   }
   return page;
@@ -127,14 +140,8 @@ void RecipePanel::setPatternName(const QString& name) {
 
 NumberEdit* RecipePanel::field(std::string_view key) const {
   const auto found = std::find_if(m_fields.begin(), m_fields.end(),
-                                  [key](const NumberEdit* edit) { return edit->field().key == key; });
+                                  [key](const NumberEdit* edit) { return edit->spec().name == toText(key); });
   return found != m_fields.end() ? *found : nullptr;
-}
-
-void RecipePanel::take(const NumberEdit& field) {
-  m_recipe.*field.field().member = field.value();
-  showRimSpeed();
-  Q_EMIT recipeChanged(m_recipe);
 }
 
 void RecipePanel::showRimSpeed() {

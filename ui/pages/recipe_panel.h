@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/recipe/recipe.h"
+#include "core/recipe/fields.h"
 
 #include <QWidget>
 
@@ -45,7 +45,6 @@ private:
   QWidget* makePages();
   QWidget* makePage(std::span<const std::string_view> keys, const recipe::Machine& machine);
   QCheckBox* makeAcceptUnreached();
-  void take(const NumberEdit& field);
   void showComplaint();
   void showRimSpeed();
 

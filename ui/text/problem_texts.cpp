@@ -10,6 +10,8 @@
 namespace arris::ui {
 namespace {
 
+constexpr int kValueDigits = 6;
+
 // Words of core in the language of the window; whatever else a value says, as it is.
 QString wordsText(const QString& words) {
   for (const char* word : problemWords()) {
@@ -31,7 +33,8 @@ QString wordsText(const QString& words) {
 QString valueText(const base::Value& value, QLocale locale) {
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
   if (const auto* number = std::get_if<double>(&value.value)) {
-    return locale.toString(*number, 'g', 6);
+    const bool isLength = QString::fromStdString(value.name).endsWith(QLatin1String("_mm"));
+    return locale.toString(isLength ? shownLength(*number) : *number, 'g', kValueDigits);
   }
   if (const auto* count = std::get_if<std::int64_t>(&value.value)) {
     return locale.toString(static_cast<qlonglong>(*count));
@@ -289,7 +292,7 @@ const std::vector<const char*>& problemWords() {
 
 QString problemText(const base::Problem& problem, const QLocale& locale) {
   const auto row = static_cast<std::size_t>(problem.code);
-  const QString text = QCoreApplication::translate("Problem", problemTemplates().at(row));
+  const QString text = inShownUnits(QCoreApplication::translate("Problem", problemTemplates().at(row)));
   QString result;
   qsizetype done = 0;
   for (qsizetype open = text.indexOf('{'); open >= 0; open = text.indexOf('{', open + 1)) {
@@ -306,8 +309,8 @@ QString problemText(const base::Problem& problem, const QLocale& locale) {
 }
 
 QString placeText(const base::Problem& problem, const QLocale& locale) {
-  const QString x = problem.where ? fixedText(problem.where->x(), 1, locale) : QString();
-  const QString y = problem.where ? fixedText(problem.where->y(), 1, locale) : QString();
+  const QString x = problem.where ? fixedLengthText(problem.where->x(), 1, locale) : QString();
+  const QString y = problem.where ? fixedLengthText(problem.where->y(), 1, locale) : QString();
   QString text;
   if (problem.line && problem.where) {
     text = QCoreApplication::translate("Problem", "(line %1 of the file, at X %2, Y %3 mm)")
@@ -317,7 +320,7 @@ QString placeText(const base::Problem& problem, const QLocale& locale) {
   } else if (problem.where) {
     text = QCoreApplication::translate("Problem", "(at X %1, Y %2 mm)").arg(x, y);
   }
-  return text.replace(QLatin1Char(' '), QChar::Nbsp);
+  return inShownUnits(text).replace(QLatin1Char(' '), QChar::Nbsp);
 }
 
 QString severityText(base::Severity severity) {

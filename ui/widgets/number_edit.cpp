@@ -1,6 +1,6 @@
 #include "ui/widgets/number_edit.h"
 
-#include "ui/text/job_texts.h"
+#include "core/recipe/fields.h"
 #include "ui/text/number_input.h"
 #include "ui/text/quantities.h"
 #include "ui/widgets/signs.h"
@@ -11,6 +11,7 @@
 #include <QStyle>
 
 #include <algorithm>
+#include <cmath>
 
 namespace arris::ui {
 namespace {
@@ -18,6 +19,8 @@ namespace {
 constexpr int kDecimals = 6;
 constexpr int kLongestNumber = 24;
 constexpr int kCaptionWidth = 216; // px; longer ones take two lines
+
+constexpr int kRangeDecimals = 4; // of what is converted
 
 // So that the lines of all fields are equally wide.
 int widestUnit(const QFontMetrics& metrics) {
@@ -29,21 +32,27 @@ int widestUnit(const QFontMetrics& metrics) {
   return widest + 1;
 }
 
+// Inwards, so that what is told to be allowed is.
+double rounded(double value, double (*inwards)(double)) {
+  const double unit = std::pow(10, kRangeDecimals);
+  return inwards(value * unit) / unit;
+}
+
 } // namespace
 
-NumberEdit::NumberEdit(const recipe::NumberField& field, double most, double value, QWidget* parent)
-    : QWidget(parent), m_field(field), m_most(std::min(most, field.most)), m_value(value), m_line(new QLineEdit),
+NumberEdit::NumberEdit(NumberSpec spec, double value, QWidget* parent)
+    : QWidget(parent), m_spec(std::move(spec)), m_value(value), m_line(new QLineEdit),
       m_sign(new QAction(signIcon(base::Severity::Error), QString(), this)) {
-  auto* caption = new QLabel(fieldText(field));
+  auto* caption = new QLabel(m_spec.what);
   caption->setBuddy(m_line);
   caption->setWordWrap(fontMetrics().horizontalAdvance(caption->text()) > kCaptionWidth);
-  auto* unitLabel = new QLabel(unit());
+  auto* unitLabel = new QLabel(unitText());
   unitLabel->setMinimumWidth(widestUnit(fontMetrics()));
-  m_line->setObjectName(QString::fromUtf8(field.key.data(), static_cast<qsizetype>(field.key.size())));
-  m_line->setText(numberText(value, kDecimals, QLocale()));
+  m_line->setObjectName(m_spec.name);
+  m_line->setText(numberText(isLength() ? shownLength(value) : value, kDecimals, QLocale()));
   m_line->setMaxLength(kLongestNumber);
   m_line->setInputMethodHints(Qt::ImhFormattedNumbersOnly);
-  m_line->setAccessibleName(tr("%1, %2").arg(caption->text(), unit()));
+  m_line->setAccessibleName(tr("%1, %2").arg(caption->text(), unitText()));
   m_line->addAction(m_sign, QLineEdit::TrailingPosition);
   m_sign->setVisible(false);
   auto* layout = new QGridLayout(this);
@@ -65,35 +74,47 @@ void NumberEdit::read(const QString& text) {
   }
 }
 
+QString NumberEdit::complaintAbout(const QString& text) const {
+  double value = 0;
+  return complaintAbout(text, value);
+}
+
 QString NumberEdit::complaintAbout(const QString& text, double& value) const {
-  const QString what = fieldText(m_field);
-  const QString range = tr("from %1 to %2").arg(numberText(m_field.least, kDecimals, QLocale()), withUnit(m_most));
   const NumberInput input = readNumber(text, QLocale());
   switch (input.kind) {
   case NumberInput::Kind::Empty:
-    return tr("%1: type a number %2.").arg(what, range);
+    return tr("%1: type a number %2.").arg(m_spec.what, rangeText());
   case NumberInput::Kind::NotANumber:
-    return tr("%1 is not a number; type one %2.").arg(what, range);
+    return tr("%1 is not a number; type one %2.").arg(m_spec.what, rangeText());
   case NumberInput::Kind::Ambiguous:
     return tr("%1: “%2” can mean %3 or %4; type it that way.")
-        .arg(what, text, numberText(input.value, kDecimals, QLocale()),
+        .arg(m_spec.what, text, numberText(input.value, kDecimals, QLocale()),
              numberText(input.grouped, kDecimals, QLocale()));
   case NumberInput::Kind::Number:
     break;
   }
-  if (input.value < m_field.least || input.value > m_most) {
-    return tr("%1 is out of range; it must be %2.").arg(what, range);
+  const double typed = isLength() ? lengthFromShown(input.value) : input.value;
+  if (typed < m_spec.least || typed > m_spec.most) {
+    return tr("%1 is out of range; it must be %2.").arg(m_spec.what, rangeText());
   }
-  value = input.value;
+  value = typed;
   return {};
 }
 
-QString NumberEdit::unit() const {
-  return QString::fromUtf8(m_field.unit.data(), static_cast<qsizetype>(m_field.unit.size()));
+bool NumberEdit::isLength() const {
+  return m_spec.unit.startsWith(QLatin1String("mm"));
 }
 
-QString NumberEdit::withUnit(double value) const {
-  return numberText(value, kDecimals, QLocale()) + QChar::Nbsp + unit();
+QString NumberEdit::rangeText() const {
+  const bool converts = isLength() && lengthUnit() != LengthUnit::Millimetre;
+  const double least = converts ? rounded(shownLength(m_spec.least), std::ceil) : m_spec.least;
+  const double most = converts ? rounded(shownLength(m_spec.most), std::floor) : m_spec.most;
+  return tr("from %1 to %2")
+      .arg(numberText(least, kDecimals, QLocale()), numberText(most, kDecimals, QLocale()) + QChar::Nbsp + unitText());
+}
+
+QString NumberEdit::unitText() const {
+  return inShownUnits(m_spec.unit);
 }
 
 void NumberEdit::showComplaint(const QString& complaint) {

@@ -1,25 +1,32 @@
 #pragma once
 
-#include "core/recipe/fields.h"
-
 #include <QLineEdit>
 #include <QWidget>
 
 namespace arris::ui {
 
-/// A field for one number of the recipe: caption with unit, and a line to type in. Decimal comma and point are both
-/// taken. What cannot be taken is marked and explained in words, and the value before stays.
+/// A number that somebody types.
+struct NumberSpec {
+  QString name; ///< of the line, for programs: "wheel_radius_mm"
+  QString what; ///< what it is, in the operator's language
+  QString unit; ///< of the value: "mm", "mm/min", "r/min"; what is in mm is shown and typed in the unit of lengths
+  double least = 0;
+  double most = 0;
+};
+
+/// A field for one number: caption with unit, and a line to type in. Decimal comma and point are both taken. What
+/// cannot be taken is marked and explained in words, and the value before stays.
 class NumberEdit : public QWidget {
   Q_OBJECT
 
 public:
-  /// `most`: the greatest value allowed here; the machine's may be below the field's own.
-  NumberEdit(const recipe::NumberField& field, double most, double value, QWidget* parent = nullptr);
+  NumberEdit(NumberSpec spec, double value, QWidget* parent = nullptr);
 
-  [[nodiscard]] const recipe::NumberField& field() const {
-    return m_field;
+  [[nodiscard]] const NumberSpec& spec() const {
+    return m_spec;
   }
 
+  /// In the unit of the spec.
   [[nodiscard]] double value() const {
     return m_value;
   }
@@ -33,19 +40,26 @@ public:
     return m_line;
   }
 
+  /// What would be wrong with a text, in words.
+  [[nodiscard]] QString complaintAbout(const QString& text) const;
+
+  /// What is allowed: "from 0.5 to 500 mm".
+  [[nodiscard]] QString rangeText() const;
+
+  /// The unit as shown.
+  [[nodiscard]] QString unitText() const;
+
 Q_SIGNALS:
   void valueChanged(double value);
   void complaintChanged();
 
 private:
   void read(const QString& text);
-  [[nodiscard]] QString complaintAbout(const QString& text, double& value) const;
+  QString complaintAbout(const QString& text, double& value) const;
   void showComplaint(const QString& complaint);
-  [[nodiscard]] QString unit() const;
-  [[nodiscard]] QString withUnit(double value) const;
+  [[nodiscard]] bool isLength() const;
 
-  recipe::NumberField m_field;
-  double m_most;
+  NumberSpec m_spec;
   double m_value;
   QString m_complaint;
   QLineEdit* m_line;
