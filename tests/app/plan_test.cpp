@@ -69,7 +69,7 @@ TEST(Plan, GivesTheSameBytesInEveryLocale) {
   const auto arguments = planWithAllOutputs(sample("balustrade.dxf"), scratch);
   const std::string out = arris(arguments, {{"LC_ALL", "C.UTF-8"}}).out;
   const auto expected = contentsOf(scratch);
-  for (const char* locale : {"de_DE.UTF-8", "zh_CN.UTF-8", "C"}) {
+  for (const char* locale : {"de_DE.UTF-8", "it_IT.UTF-8", "zh_CN.UTF-8", "C"}) {
     // A locale that is not installed would prove nothing.
     locale_t installed = newlocale(LC_ALL_MASK, locale, nullptr);
     ASSERT_NE(installed, nullptr) << locale;

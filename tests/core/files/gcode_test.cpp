@@ -369,7 +369,7 @@ TEST(GCode, NamesInCommentsCannotBreakTheProgram) {
 
 TEST(GCode, IsTheSameInEveryLocale) {
   const std::string text = gcode(triangle(), "triangle.dxf", TransitionForm::Arcs);
-  for (const char* locale : {"de_DE.UTF-8", "zh_CN.UTF-8"}) {
+  for (const char* locale : {"de_DE.UTF-8", "it_IT.UTF-8", "zh_CN.UTF-8"}) {
     ASSERT_NE(std::setlocale(LC_ALL, locale), nullptr) << locale;
     EXPECT_EQ(gcode(triangle(), "triangle.dxf", TransitionForm::Arcs), text);
     std::setlocale(LC_ALL, "C");

@@ -148,7 +148,7 @@ TEST(ProfileCsv, NoSecondDifferenceOfThePositionsIsAboveAnAxisLimit) {
 }
 
 TEST(ProfileCsv, IsTheSameInEveryLocale) {
-  for (const char* locale : {"de_DE.UTF-8", "zh_CN.UTF-8"}) {
+  for (const char* locale : {"de_DE.UTF-8", "it_IT.UTF-8", "zh_CN.UTF-8"}) {
     ASSERT_NE(std::setlocale(LC_ALL, locale), nullptr) << locale;
     EXPECT_TRUE(profileOf(plannedTriangle()) == triangleProfile()) << locale;
     EXPECT_TRUE(readProfile(triangleProfile(), "a.csv").has_value()) << locale;

@@ -272,7 +272,7 @@ TEST(RecipeJson, CorruptedFilesAreReadOrRefusedAndNeverGiveAValueOutsideItsRange
 
 TEST(RecipeJson, IsTheSameInEveryLocale) {
   const std::string text = writeRecipe(unusualRecipe());
-  for (const char* locale : {"de_DE.UTF-8", "zh_CN.UTF-8"}) {
+  for (const char* locale : {"de_DE.UTF-8", "it_IT.UTF-8", "zh_CN.UTF-8"}) {
     ASSERT_NE(std::setlocale(LC_ALL, locale), nullptr) << locale;
     EXPECT_EQ(writeRecipe(unusualRecipe()), text);
     EXPECT_EQ(readRecipe(text, "a.json").value, unusualRecipe());

@@ -281,7 +281,7 @@ TEST(Report, IsTheSameEveryTimeAndInEveryLocale) {
   const pattern::Pattern pattern = test::triangle600();
   const auto make = [&pattern] { return report(pattern, job::planJob(pattern, {}, {}), "pane.dxf"); };
   const std::string text = make();
-  for (const char* locale : {"de_DE.UTF-8", "zh_CN.UTF-8"}) {
+  for (const char* locale : {"de_DE.UTF-8", "it_IT.UTF-8", "zh_CN.UTF-8"}) {
     ASSERT_NE(std::setlocale(LC_ALL, locale), nullptr) << locale;
     EXPECT_EQ(make(), text);
     std::setlocale(LC_ALL, "C");

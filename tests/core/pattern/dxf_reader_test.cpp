@@ -302,7 +302,7 @@ TEST(Reader, ReadsTheSameInEveryLocale) {
   ASSERT_EQ(expected.contours.size(), 1U);
   const geometry::Box box = geometry::bounds(expected.contours[0].curves);
   EXPECT_EQ(box.max().x(), 1234667.5);
-  for (const char* name : {"de_DE.UTF-8", "zh_CN.UTF-8", "fr_FR.UTF-8"}) {
+  for (const char* name : {"de_DE.UTF-8", "it_IT.UTF-8", "zh_CN.UTF-8", "fr_FR.UTF-8"}) {
     const UnderLocale locale(name);
     ASSERT_EQ(std::string(std::localeconv()->decimal_point) == ",", std::string(name) != "zh_CN.UTF-8");
     const Pattern found = readDxf(text, {});

@@ -16,7 +16,7 @@ namespace arris::test {
 inline const QLocale kEnglish(QLocale::English, QLocale::UnitedStates);
 inline const QLocale kGerman(QLocale::German, QLocale::Germany);
 
-/// The languages of the window beside English, by what the program carries: "de", "zh_CN".
+/// The languages of the window beside English, by what the program carries: "de", "it", "zh_CN".
 [[nodiscard]] inline std::vector<std::string> languages() {
   std::vector<std::string> names;
   for (const QString& file : QDir(QStringLiteral(":/i18n")).entryList({QStringLiteral("arris_*.qm")})) {

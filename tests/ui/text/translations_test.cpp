@@ -90,6 +90,7 @@ TEST(Translators, AreThoseOfTheFirstLanguageThatTheWindowSpeaks) {
   };
   EXPECT_EQ(wordFor({"de-DE", "de"}), "Vorschub");
   EXPECT_EQ(wordFor({"fr-FR", "fr", "de-CH"}), "Vorschub");
+  EXPECT_EQ(wordFor({"it-IT", "it"}), "Avanzamento");
   EXPECT_EQ(wordFor({"zh-Hans-CN", "zh-CN", "zh"}), QStringLiteral("进给速度"));
   EXPECT_EQ(wordFor({"en-GB", "en", "de"}), "Feed");
   EXPECT_EQ(wordFor({"fr-FR", "fr"}), "Feed");
