@@ -34,6 +34,7 @@ enum class Code {
   CsvMalformed,
   RecordMalformed,
   RecordDamaged,
+  FileSetAside,
   // The gate in front of the DXF reader
   DxfEmpty,
   DxfBinary,

@@ -26,6 +26,8 @@ const std::vector<CodeInfo>& allCodes() {
       {RecordMalformed, "record-malformed", Error, "{file} is not the record of a run: {reason}."},
       {RecordDamaged, "record-damaged", Warning,
        "{file} is not whole: {reason} at byte {byte}. What can be read is used."},
+      {FileSetAside, "file-set-aside", Warning,
+       "{file} is damaged: it was kept as {aside}, and defaults are in effect."},
 
       {DxfEmpty, "dxf-empty", Error, "The pattern file is empty."},
       {DxfBinary, "dxf-binary", Error, "The binary DXF file is damaged: {reason}."},

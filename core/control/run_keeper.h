@@ -27,6 +27,24 @@ struct StateFolder {
   [[nodiscard]] std::filesystem::path alarmLog() const {
     return root / "alarms.jsonl";
   }
+
+  [[nodiscard]] std::filesystem::path settings() const {
+    return root / "settings.json";
+  }
+
+  [[nodiscard]] std::filesystem::path machine() const {
+    return root / "machine.json";
+  }
+
+  /// The recipe of last time.
+  [[nodiscard]] std::filesystem::path recipe() const {
+    return root / "recipe.json";
+  }
+
+  /// The recipes that have a name.
+  [[nodiscard]] std::filesystem::path recipes() const {
+    return root / "recipes";
+  }
 };
 
 /// The resume point is written so often, s of the run.

@@ -63,6 +63,7 @@ const std::vector<const char*>& problemTemplates() {
       QT_TRANSLATE_NOOP("Problem", "{file} is not a profile of Arris: {reason}."),
       QT_TRANSLATE_NOOP("Problem", "{file} is not the record of a run: {reason}."),
       QT_TRANSLATE_NOOP("Problem", "{file} is not whole: {reason} at byte {byte}. What can be read is used."),
+      QT_TRANSLATE_NOOP("Problem", "{file} is damaged: it was kept as {aside}, and defaults are in effect."),
       QT_TRANSLATE_NOOP("Problem", "The pattern file is empty."),
       QT_TRANSLATE_NOOP("Problem", "The binary DXF file is damaged: {reason}."),
       QT_TRANSLATE_NOOP("Problem", "This is not a DXF file: {reason}."),
