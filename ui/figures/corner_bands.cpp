@@ -17,6 +17,14 @@ constexpr double kBandAngleHeight = 34;
 constexpr double kBandGap = 8;
 constexpr double kNarrowest = 6;
 
+constexpr int kSelectedShade = 9; // % of ink
+
+// Of a corner that is selected: nearer to the ink, on light and on dark paper.
+QColor shaded(const QColor& color, const QColor& ink) {
+  const auto mixed = [](int of, int with) { return (of * (100 - kSelectedShade) + with * kSelectedShade) / 100; };
+  return {mixed(color.red(), ink.red()), mixed(color.green(), ink.green()), mixed(color.blue(), ink.blue())};
+}
+
 } // namespace
 
 CornerBands::CornerBands(QCPAxisRect* top, FigureStyle style)
@@ -65,7 +73,7 @@ void CornerBands::drawBand(QCPPainter* painter, const CornerBand& band, double f
   const bool away = band.zone == Zone::Away;
   QColor color = inCorner ? m_style.palette.cornerBand : away ? m_style.palette.awayBand : m_style.palette.phaseBand;
   if (band.corner == m_selected && !away) {
-    color = color.darker(107);
+    color = shaded(color, m_style.palette.ink);
   }
   painter->fillRect(QRectF(from, top, to - from, bottom - top), color);
   if (inCorner && (to == from || to - from > kNarrowest * m_style.unit)) { // else the edges are all that is seen

@@ -241,7 +241,7 @@ void paintSign(QPainter& painter, const QPointF& center, base::Severity severity
                        : severity == base::Severity::Warning ? style.palette.warning
                                                              : style.palette.faint;
   painter.save();
-  painter.setPen(style.pen(Qt::white, 2));
+  painter.setPen(style.pen(style.palette.paper, 2));
   painter.setBrush(color);
   if (note) {
     painter.drawEllipse(center, size, size);
@@ -249,7 +249,7 @@ void paintSign(QPainter& painter, const QPointF& center, base::Severity severity
     painter.drawPolygon(QPolygonF{center + QPointF(0, -1.15 * size), center + QPointF(1.15 * size, 0.85 * size),
                                   center + QPointF(-1.15 * size, 0.85 * size)});
   }
-  painter.setPen(Qt::white);
+  painter.setPen(style.palette.paper);
   painter.setFont(style.font(kSmallTextHeight, true));
   const QPointF shift(0, note ? 0 : 0.12 * size);
   painter.drawText(QRectF(center + shift - QPointF(2 * size, 2 * size), QSizeF(4 * size, 4 * size)), Qt::AlignCenter,

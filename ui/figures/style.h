@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/text/quantities.h"
+
 #include <QColor>
 #include <QFont>
 #include <QLocale>
@@ -33,12 +35,22 @@ struct Palette {
   QColor awayBand = QColor(0xd7dcdf); ///< what is not grinding
 };
 
+/// The same colours, lighter, on dark paper: text stands out from it by 4.5 : 1 or more, lines by 3 : 1, also where
+/// glass or bands lie under them.
+[[nodiscard]] Palette darkPalette();
+
+/// What the window looks like: of the whole process, as the default locale is. Pictures in files are always light.
+enum class Appearance { Light, Dark };
+void showAppearance(Appearance appearance);
+[[nodiscard]] Appearance appearance();
+
 /// How large and in whose numbers a figure is drawn. A figure's unit is 0.1 mm on paper; on a screen it is a share of a
 /// pixel.
 struct FigureStyle {
   Palette palette;
-  double unit = 1;               ///< device units per unit of figures
-  QLocale locale = QLocale::c(); ///< of numbers: files have the decimal point, the window the operator's
+  double unit = 1;                             ///< device units per unit of figures
+  QLocale locale = QLocale::c();               ///< of numbers: files have the decimal point, the window the operator's
+  LengthUnit lengths = LengthUnit::Millimetre; ///< of numbers: files have mm, the window what it shows
 
   [[nodiscard]] QFont font(double height, bool bold = false) const {
     QFont result(QStringLiteral("DejaVu Sans"));
@@ -53,13 +65,8 @@ struct FigureStyle {
   }
 };
 
-/// On a screen, with the operator's numbers.
-[[nodiscard]] inline FigureStyle screenStyle(double unit) {
-  FigureStyle style;
-  style.unit = unit;
-  style.locale = QLocale();
-  return style;
-}
+/// On a screen: with the operator's numbers and unit of length, and in the colours of the window.
+[[nodiscard]] FigureStyle screenStyle(double unit);
 
 // Sizes, in units of figures.
 inline constexpr double kTextHeight = 27;

@@ -14,9 +14,7 @@ QIcon signIcon(base::Severity severity) {
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
-    FigureStyle style;
-    style.unit = size / 42.0;
-    paintSign(painter, QPointF(size / 2.0, size / 2.0), severity, style);
+    paintSign(painter, QPointF(size / 2.0, size / 2.0), severity, screenStyle(size / 42.0));
     painter.end();
     icon.addPixmap(pixmap);
   }
