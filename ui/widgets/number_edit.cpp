@@ -8,6 +8,7 @@
 #include <QAction>
 #include <QGridLayout>
 #include <QLabel>
+#include <QSignalBlocker>
 #include <QStyle>
 
 #include <algorithm>
@@ -63,6 +64,16 @@ NumberEdit::NumberEdit(NumberSpec spec, double value, QWidget* parent)
   layout->addWidget(m_line, 1, 0);
   layout->addWidget(unitLabel, 1, 1);
   connect(m_line, &QLineEdit::textChanged, this, &NumberEdit::read);
+}
+
+void NumberEdit::setValue(double value) {
+  if (value == m_value && m_complaint.isEmpty()) {
+    return;
+  }
+  m_value = value;
+  const QSignalBlocker silent(m_line);
+  m_line->setText(numberText(value, kDecimals, QLocale()));
+  showComplaint({});
 }
 
 void NumberEdit::read(const QString& text) {

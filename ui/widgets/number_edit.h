@@ -31,6 +31,10 @@ public:
     return m_value;
   }
 
+  /// Shows another value, one that is allowed here, without saying that it has changed. A text that means the same
+  /// already stays as it was typed; a wrong one goes.
+  void setValue(double value);
+
   /// What is wrong with the text, in words; empty where nothing is.
   [[nodiscard]] const QString& complaint() const {
     return m_complaint;
