@@ -1,21 +1,30 @@
 #include "ui/main_window.h"
 
+#include "ui/figures/style.h"
+#include "ui/pages/help_page.h"
 #include "ui/pages/job_page.h"
 #include "ui/pages/profiles_page.h"
 #include "ui/pages/run_page.h"
+#include "ui/pages/settings_page.h"
 #include "ui/pages/setup_page.h"
+#include "ui/text/translators.h"
 #include "ui/widgets/alarm_banner.h"
 #include "ui/widgets/control_strip.h"
+#include "ui/widgets/keypad.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/wipe_cover.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QGridLayout>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QShortcut>
 #include <QUrl>
-#include <QVBoxLayout>
 
 namespace arris::ui {
 namespace {
@@ -26,52 +35,164 @@ QString droppedFile(const QMimeData& data) {
   return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
 }
 
+constexpr int kKeepRecipeAfter = 2000; // ms without a change
+
+// What counts for the whole process, but for the language.
+void showWith(const files::Settings& settings) {
+  const auto look = settings.appearance == files::Settings::Appearance::Dark ? Appearance::Dark : Appearance::Light;
+  showLengthsIn(settings.lengthUnit == files::Settings::LengthUnit::Inch ? LengthUnit::Inch : LengthUnit::Millimetre);
+  setKeypadOpens(settings.keypad == files::Settings::Keypad::Always ? KeypadOpens::OnEveryTap : KeypadOpens::OnTouch);
+  if (look != appearance()) {
+    showAppearance(look);
+    applyTheme(*qApp);
+  }
+}
+
 } // namespace
 
 MainWindow::MainWindow(const MachineSetup& setup, PlannerSteps steps, QWidget* parent)
-    : QMainWindow(parent), m_planner(setup.machine, std::move(steps)), m_machine(setup),
-      m_strip(new ControlStrip(m_machine)), m_pages(new QStackedWidget) {
-  setWindowTitle(QStringLiteral("Arris"));
+    : QMainWindow(parent), m_preferences(setup.folder, setup.machine),
+      m_planner(m_preferences.machine(), std::move(steps)),
+      m_machine({m_preferences.machine(), setup.folder, setup.pace}), m_shown(m_preferences.settings()) {
   setAcceptDrops(true);
-  auto* job = new JobPage(m_planner);
-  addPage(job, tr("Job"), QStringLiteral("pageJob"));
-  addPage(new SetupPage(m_machine), tr("Setup"), QStringLiteral("pageSetup"));
-  addPage(new RunPage(m_planner, m_machine), tr("Run"), QStringLiteral("pageRun"));
-  addPage(new ProfilesPage(m_planner), tr("Profiles"), QStringLiteral("pageProfiles"));
-  m_strip->showPage(0);
-  auto* beside = new QWidget;
-  auto* row = new QHBoxLayout(beside);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(0);
-  row->addWidget(m_pages, 1);
-  row->addWidget(m_strip);
-  auto* all = new QWidget;
-  auto* column = new QVBoxLayout(all);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(new AlarmBanner(m_machine));
-  column->addWidget(beside, 1);
-  setCentralWidget(all);
-  connect(m_strip, &ControlStrip::pageChosen, m_pages, &QStackedWidget::setCurrentIndex);
-  connect(job, &JobPage::openRequested, this, &MainWindow::askForPattern);
-  connect(&m_planner, &Planner::planned, this, [this](const PlanPointer& plan) {
-    const QString name = QString::fromStdString(plan->import->file.filename().string());
-    setWindowTitle(tr("%1 – Arris").arg(name));
+  m_planner.setRecipe(m_preferences.lastRecipe());
+  showWith(m_shown);
+  if (!m_shown.language.empty()) {
+    speak(QString::fromStdString(m_shown.language));
+  }
+  build();
+  addShortcuts();
+  m_keepRecipe.setSingleShot(true);
+  m_keepRecipe.setInterval(kKeepRecipeAfter);
+  connect(&m_keepRecipe, &QTimer::timeout, this, [this] { m_preferences.keepRecipe(m_planner.recipe()); });
+  connect(&m_planner, &Planner::planned, this, [this] {
+    m_preferences.noteOpened(m_planner.plan()->import->file);
+    m_keepRecipe.start();
+    showTitle();
   });
   connect(&m_machine, &MachineLink::changed, this, [this] {
     if (m_closes && !m_machine.allowed().stop) {
       close();
     }
   });
+  connect(&m_preferences, &Preferences::changed, this, &MainWindow::applySettings, Qt::QueuedConnection);
+  connect(&m_preferences, &Preferences::problemsArose, this, &MainWindow::tellProblems);
+  tellProblems();
+  showTitle();
 }
 
 MainWindow::~MainWindow() {
+  m_preferences.keepRecipe(m_planner.recipe());
   delete takeCentralWidget();
 }
 
+void MainWindow::build() {
+  m_strip = new ControlStrip(m_machine);
+  m_banner = new AlarmBanner(m_machine);
+  m_pages = new QStackedWidget;
+  auto* job = new JobPage(m_planner);
+  addPage(job, tr("Job"), QStringLiteral("pageJob"));
+  addPage(new SetupPage(m_machine), tr("Setup"), QStringLiteral("pageSetup"));
+  addPage(new RunPage(m_planner, m_machine), tr("Run"), QStringLiteral("pageRun"));
+  addPage(new ProfilesPage(m_planner), tr("Profiles"), QStringLiteral("pageProfiles"));
+  addPage(new SettingsPage(m_preferences), tr("Settings"), QStringLiteral("pageSettings"));
+  m_help = new HelpPage;
+  addPage(m_help, tr("Help"), QStringLiteral("pageHelp"));
+  m_cover = new WipeCover(m_pages);
+  auto* all = new QWidget;
+  auto* grid = new QGridLayout(all);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(0);
+  grid->addWidget(m_banner, 0, 0, 1, 2);
+  grid->addWidget(m_pages, 1, 0);
+  grid->addWidget(m_cover, 1, 0);
+  grid->addWidget(m_strip, 1, 1);
+  grid->setRowStretch(1, 1);
+  grid->setColumnStretch(0, 1);
+  setCentralWidget(all);
+  m_strip->showPage(0);
+  connect(m_strip, &ControlStrip::pageChosen, m_pages, &QStackedWidget::setCurrentIndex);
+  connect(m_strip, &ControlStrip::lockRequested, this, [this] { setLocked(true); });
+  connect(m_cover, &WipeCover::ended, this, [this] { setLocked(false); });
+  connect(job, &JobPage::openRequested, this, &MainWindow::askForPattern);
+}
+
 void MainWindow::addPage(QWidget* page, const QString& text, const QString& name) {
+  page->setProperty("page", name);
   m_pages->addWidget(page);
   m_strip->addPage(text, name);
+}
+
+// They work in every dialog too.
+void MainWindow::addShortcuts() {
+  const auto add = [this](Qt::Key key, const std::function<void()>& act) {
+    auto* shortcut = new QShortcut(key, this);
+    shortcut->setContext(Qt::ApplicationShortcut);
+    shortcut->setAutoRepeat(false);
+    connect(shortcut, &QShortcut::activated, this, act);
+  };
+  add(Qt::Key_F1, [this] { showHelp(); });
+  for (int page = 0; page < m_pages->count(); ++page) {
+    add(static_cast<Qt::Key>(Qt::Key_F2 + page), [this, page] { showPage(page); });
+  }
+  add(Qt::Key_F11, [this] { m_machine.hold(); });
+  add(Qt::Key_F12, [this] { m_machine.stop(); });
+}
+
+void MainWindow::showPage(int page) {
+  if (m_pages->isEnabled()) { // not while the screen is locked
+    m_strip->showPage(page);
+    m_pages->setCurrentIndex(page);
+  }
+}
+
+void MainWindow::showHelp() {
+  const QString page = m_pages->currentWidget()->property("page").toString();
+  if (m_pages->currentWidget() != m_help) {
+    m_help->showPart(page);
+  }
+  showPage(m_pages->indexOf(m_help));
+}
+
+void MainWindow::setLocked(bool locked) {
+  m_pages->setEnabled(!locked);
+  m_strip->setLocked(locked);
+  m_banner->setLocked(locked);
+  if (locked) {
+    delete findChild<Keypad*>();
+    m_cover->begin();
+  }
+}
+
+void MainWindow::applySettings() {
+  const files::Settings& settings = m_preferences.settings();
+  const bool speaksAnother = settings.language != m_shown.language;
+  const bool looksOtherwise = settings.appearance != m_shown.appearance || settings.lengthUnit != m_shown.lengthUnit;
+  m_shown = settings;
+  showWith(settings);
+  if (speaksAnother) {
+    speak(QString::fromStdString(settings.language));
+  }
+  if (speaksAnother || looksOtherwise) {
+    const int page = m_pages->currentIndex();
+    delete findChild<Keypad*>();
+    delete takeCentralWidget();
+    build();
+    showPage(page);
+    showTitle();
+  }
+}
+
+void MainWindow::tellProblems() {
+  for (const base::Problem& problem : m_preferences.takeProblems()) {
+    m_machine.complain(problem);
+  }
+}
+
+void MainWindow::showTitle() {
+  const PlanPointer& plan = m_planner.plan();
+  setWindowTitle(plan ? tr("%1 – Arris").arg(QString::fromStdString(plan->import->file.filename().string()))
+                      : QStringLiteral("Arris"));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -103,6 +224,15 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 void MainWindow::openPattern(const std::filesystem::path& file) {
   m_folder = QFileInfo(QString::fromStdString(file.string())).absolutePath();
   m_planner.openPattern(file);
+}
+
+void MainWindow::openLast() {
+  for (const std::string& file : m_preferences.settings().recent) {
+    if (std::error_code failure; std::filesystem::exists(file, failure)) {
+      openPattern(file);
+      return;
+    }
+  }
 }
 
 void MainWindow::askForPattern() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/presenters/machine_link.h"
+#include "ui/presenters/preferences.h"
 
 #include <QMainWindow>
 #include <QPointer>
@@ -12,23 +13,30 @@ class QMessageBox;
 
 namespace arris::ui {
 
+class AlarmBanner;
 class ControlStrip;
+class HelpPage;
+class WipeCover;
 
 /// The window of the program: an alarm banner above, pages, and beside them the strip with FEED HOLD and STOP. It opens
-/// patterns, by dialog or dropped on it. While the axes move it asks before it closes, and stops them first.
+/// patterns, by dialog or dropped on it. Another language, unit or appearance makes banner, pages and strip anew: what
+/// they show lives in the presenters. While the axes move it asks before it closes, and stops them first.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
 public:
   explicit MainWindow(const MachineSetup& setup, PlannerSteps steps = plannerSteps(), QWidget* parent = nullptr);
 
-  ~MainWindow() override; ///< the pages first: they use planner and machine
+  ~MainWindow() override; ///< the pages first: they use the presenters
   MainWindow(const MainWindow&) = delete;
   MainWindow& operator=(const MainWindow&) = delete;
   MainWindow(MainWindow&&) = delete;
   MainWindow& operator=(MainWindow&&) = delete;
 
   void openPattern(const std::filesystem::path& file);
+
+  /// The pattern of last time, where it is still there.
+  void openLast();
 
   [[nodiscard]] Planner& planner() {
     return m_planner;
@@ -38,6 +46,10 @@ public:
     return m_machine;
   }
 
+  [[nodiscard]] Preferences& preferences() {
+    return m_preferences;
+  }
+
 protected:
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -45,13 +57,26 @@ protected:
 
 private:
   void askForPattern();
-
+  void build();
   void addPage(QWidget* page, const QString& text, const QString& name);
+  void addShortcuts();
+  void showPage(int page);
+  void showHelp();
+  void setLocked(bool locked);
+  void applySettings();
+  void tellProblems();
+  void showTitle();
 
+  Preferences m_preferences;
   Planner m_planner;
   MachineLink m_machine;
-  ControlStrip* m_strip;
-  QStackedWidget* m_pages;
+  files::Settings m_shown; // the settings that the window was built with
+  AlarmBanner* m_banner = nullptr;
+  ControlStrip* m_strip = nullptr;
+  QStackedWidget* m_pages = nullptr;
+  WipeCover* m_cover = nullptr;
+  HelpPage* m_help = nullptr;
+  QTimer m_keepRecipe;
   QPointer<QMessageBox> m_question; // whether to stop and close
   bool m_closes = false;            // as soon as the axes are at rest
   QString m_folder;                 // where the last pattern was

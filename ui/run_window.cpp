@@ -5,7 +5,6 @@
 #include "ui/widgets/theme.h"
 
 #include <QApplication>
-#include <QLocale>
 #include <QScreen>
 
 namespace arris::ui {
@@ -23,12 +22,14 @@ void prepareApplication(QApplication& application) {
 int runWindow(QApplication& application, const MachineSetup& setup,
               const std::optional<std::filesystem::path>& pattern) {
   prepareApplication(application);
-  const auto translators = installTranslators(QLocale::system().uiLanguages());
+  speak({});
   MainWindow window(setup);
   window.resize(kComfortable.boundedTo(QGuiApplication::primaryScreen()->availableSize()));
   window.show();
   if (pattern) {
     window.openPattern(*pattern);
+  } else {
+    window.openLast();
   }
   return QApplication::exec();
 }

@@ -87,6 +87,9 @@ public:
     return m_keeper ? m_keeper->record() : std::filesystem::path();
   }
 
+  /// Tells a problem on the banner, until the operator goes on.
+  void complain(const base::Problem& problem);
+
   // What the operator wants; where it is not allowed nothing happens.
 
   void enable();
@@ -124,7 +127,6 @@ private:
 
   void hear(const control::Report& report);
   void hear(const control::FaultReport& fault);
-  void complain(const base::Problem& problem);
   void tellChanges();
 
   control::StateFolder m_folder;

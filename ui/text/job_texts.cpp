@@ -35,6 +35,32 @@ QString fieldText(const recipe::NumberField& field) {
   return QCoreApplication::translate("Recipe", std::string(field.what).c_str());
 }
 
+const std::vector<const char*>& machineFieldNames() {
+  static const std::vector<const char*> kNames = {
+      QT_TRANSLATE_NOOP("Machine", "Feed of plunges"),
+      QT_TRANSLATE_NOOP("Machine", "Servo period"),
+      QT_TRANSLATE_NOOP("Machine", "Homing: speed towards the switch"),
+      QT_TRANSLATE_NOOP("Machine", "Homing: speed off the switch"),
+      QT_TRANSLATE_NOOP("Machine", "Fastest jog"),
+      QT_TRANSLATE_NOOP("Machine", "Set-points ahead of time"),
+      QT_TRANSLATE_NOOP("Machine", "Greatest following error"),
+      QT_TRANSLATE_NOOP("Machine", "Backing off in a hold"),
+      QT_TRANSLATE_NOOP("Machine", "At rest before backing off"),
+      QT_TRANSLATE_NOOP("Machine", "Longest wait for spindle and coolant"),
+      QT_TRANSLATE_NOOP("Machine", "Travel of the axes"),
+      QT_TRANSLATE_NOOP("Machine", "Greatest speeds of the axes"),
+      QT_TRANSLATE_NOOP("Machine", "Greatest accelerations of the axes"),
+      QT_TRANSLATE_NOOP("Machine", "Park position"),
+      QT_TRANSLATE_NOOP("Machine", "Reference switches"),
+      QT_TRANSLATE_NOOP("Machine", "Jog only while the panel's jog enable is held"),
+  };
+  return kNames;
+}
+
+QString machineFieldText(std::string_view what) {
+  return QCoreApplication::translate("Machine", std::string(what).c_str());
+}
+
 QString phaseText(job::Phase phase) {
   static constexpr std::array<const char*, job::kPhaseCount> kNames = {
       QT_TRANSLATE_NOOP("Phase", "Approach"),   QT_TRANSLATE_NOOP("Phase", "Plunge"),

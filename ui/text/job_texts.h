@@ -17,6 +17,10 @@ namespace arris::ui {
 /// The English names of the fields as the translators get them; core's table has no others.
 [[nodiscard]] const std::vector<const char*>& fieldNames();
 
+/// The same for the machine: `what` of its fields.
+[[nodiscard]] QString machineFieldText(std::string_view what);
+[[nodiscard]] const std::vector<const char*>& machineFieldNames();
+
 [[nodiscard]] QString phaseText(job::Phase phase);
 [[nodiscard]] QString cornerKindText(toolpath::CornerKind kind);
 [[nodiscard]] QString treatmentText(toolpath::Treatment treatment);

@@ -1,6 +1,7 @@
 #include "ui/text/translators.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QLibraryInfo>
 #include <QLocale>
 
@@ -28,6 +29,23 @@ std::vector<std::unique_ptr<QTranslator>> installTranslators(const QStringList& 
     }
   }
   return installed;
+}
+
+QStringList spokenLanguages() {
+  QStringList names{QStringLiteral("en")};
+  for (const QString& file : QDir(QStringLiteral(":/i18n")).entryList({QStringLiteral("arris_*.qm")})) {
+    names.push_back(file.section(QLatin1Char('_'), 1).section(QLatin1Char('.'), 0, 0));
+  }
+  return names;
+}
+
+void speak(const QString& language) {
+  static std::vector<std::unique_ptr<QTranslator>> spoken;
+  const QLocale system = QLocale::system();
+  const bool isSystems = language.isEmpty() || QLocale(language).language() == system.language();
+  spoken.clear(); // before the next ones, which may be the same
+  spoken = installTranslators(language.isEmpty() ? system.uiLanguages() : QStringList(language));
+  QLocale::setDefault(isSystems ? system : QLocale(language));
 }
 
 } // namespace arris::ui

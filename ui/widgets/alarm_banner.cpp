@@ -40,6 +40,11 @@ AlarmBanner::AlarmBanner(MachineLink& machine, QWidget* parent)
   showState();
 }
 
+void AlarmBanner::setLocked(bool locked) {
+  m_isLocked = locked;
+  showState();
+}
+
 void AlarmBanner::showState() {
   const control::JobState job = m_machine.jobState();
   const QString panes = m_machine.loaded()
@@ -58,7 +63,7 @@ void AlarmBanner::showState() {
                               : QString());
   const bool tells = active != nullptr || complaint.has_value();
   m_sign->setPixmap(tells ? signIcon(base::Severity::Error).pixmap(kBannerSign) : QPixmap());
-  m_acknowledge->setEnabled(m_machine.allowed().acknowledge);
+  m_acknowledge->setEnabled(m_machine.allowed().acknowledge && !m_isLocked);
 }
 
 } // namespace arris::ui

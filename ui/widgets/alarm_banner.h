@@ -17,6 +17,9 @@ class AlarmBanner : public QWidget {
 public:
   explicit AlarmBanner(MachineLink& machine, QWidget* parent = nullptr);
 
+  /// Nothing is acknowledged while the screen is locked.
+  void setLocked(bool locked);
+
 private:
   void showState();
 
@@ -25,6 +28,7 @@ private:
   QLabel* m_sign;
   QLabel* m_text;
   QPushButton* m_acknowledge;
+  bool m_isLocked = false;
 };
 
 } // namespace arris::ui

@@ -7,16 +7,21 @@
 namespace arris::ui {
 namespace {
 
-constexpr int kStripWidth = 112; // px
+constexpr int kStripSpacing = 6; // px
 
 } // namespace
 
 ControlStrip::ControlStrip(MachineLink& machine, QWidget* parent)
-    : QWidget(parent), m_machine(machine), m_layout(new QVBoxLayout(this)), m_pages(new QButtonGroup(this)) {
-  setFixedWidth(kStripWidth);
+    : QWidget(parent), m_machine(machine), m_layout(new QVBoxLayout(this)), m_pages(new QButtonGroup(this)),
+      m_lock(new QPushButton(tr("Lock\n30 s"))) {
+  setFixedWidth(kWidth);
   m_layout->setContentsMargins(0, 4, 6, 6);
-  m_layout->setSpacing(8);
+  m_layout->setSpacing(kStripSpacing);
+  m_lock->setObjectName(QStringLiteral("lockScreen"));
+  m_lock->setToolTip(tr("Lock the screen for 30 s to wipe it"));
   m_layout->addStretch(1);
+  m_layout->addWidget(m_lock);
+  connect(m_lock, &QPushButton::clicked, this, &ControlStrip::lockRequested);
   m_hold = addStop(tr("FEED\nHOLD"), QStringLiteral("feedHold"));
   m_stop = addStop(tr("STOP"), QStringLiteral("stop"));
   connect(m_pages, &QButtonGroup::idClicked, this, &ControlStrip::pageChosen);
@@ -44,6 +49,13 @@ void ControlStrip::addPage(const QString& text, const QString& name) {
 
 void ControlStrip::showPage(int page) {
   m_pages->button(page)->setChecked(true);
+}
+
+void ControlStrip::setLocked(bool locked) {
+  m_lock->setEnabled(!locked);
+  for (QAbstractButton* page : m_pages->buttons()) {
+    page->setEnabled(!locked);
+  }
 }
 
 void ControlStrip::enableStops() {

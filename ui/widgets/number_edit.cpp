@@ -3,11 +3,13 @@
 #include "core/recipe/fields.h"
 #include "ui/text/number_input.h"
 #include "ui/text/quantities.h"
+#include "ui/widgets/keypad.h"
 #include "ui/widgets/signs.h"
 
 #include <QAction>
 #include <QGridLayout>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QSignalBlocker>
 #include <QStyle>
 
@@ -44,16 +46,17 @@ double rounded(double value, double (*inwards)(double)) {
 NumberEdit::NumberEdit(NumberSpec spec, double value, QWidget* parent)
     : QWidget(parent), m_spec(std::move(spec)), m_value(value), m_line(new QLineEdit),
       m_sign(new QAction(signIcon(base::Severity::Error), QString(), this)) {
-  auto* caption = new QLabel(m_spec.what);
+  auto* caption = new QLabel(m_spec.caption.isEmpty() ? m_spec.what : m_spec.caption);
   caption->setBuddy(m_line);
   caption->setWordWrap(fontMetrics().horizontalAdvance(caption->text()) > kCaptionWidth);
   auto* unitLabel = new QLabel(unitText());
   unitLabel->setMinimumWidth(widestUnit(fontMetrics()));
+  m_line->installEventFilter(this);
   m_line->setObjectName(m_spec.name);
-  m_line->setText(numberText(isLength() ? shownLength(value) : value, kDecimals, QLocale()));
+  m_line->setText(textOf(value));
   m_line->setMaxLength(kLongestNumber);
   m_line->setInputMethodHints(Qt::ImhFormattedNumbersOnly);
-  m_line->setAccessibleName(tr("%1, %2").arg(caption->text(), unitText()));
+  m_line->setAccessibleName(tr("%1, %2").arg(m_spec.what, unitText()));
   m_line->addAction(m_sign, QLineEdit::TrailingPosition);
   m_sign->setVisible(false);
   auto* layout = new QGridLayout(this);
@@ -72,8 +75,21 @@ void NumberEdit::setValue(double value) {
   }
   m_value = value;
   const QSignalBlocker silent(m_line);
-  m_line->setText(numberText(value, kDecimals, QLocale()));
+  m_line->setText(textOf(value));
   showComplaint({});
+}
+
+// A finger's tap comes as a click that the system or Qt has made of it.
+bool NumberEdit::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::MouseButtonRelease && m_line->isEnabled()) {
+    const auto* click = static_cast<QMouseEvent*>(event);
+    const bool isTouch =
+        click->pointerType() == QPointingDevice::PointerType::Finger || click->source() != Qt::MouseEventNotSynthesized;
+    if (isTouch || keypadOpens() == KeypadOpens::OnEveryTap) {
+      Keypad::openFor(*this);
+    }
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 void NumberEdit::read(const QString& text) {
@@ -110,6 +126,10 @@ QString NumberEdit::complaintAbout(const QString& text, double& value) const {
   }
   value = typed;
   return {};
+}
+
+QString NumberEdit::textOf(double value) const {
+  return numberText(isLength() ? shownLength(value) : value, kDecimals, QLocale());
 }
 
 bool NumberEdit::isLength() const {

@@ -12,6 +12,7 @@ struct NumberSpec {
   QString unit; ///< of the value: "mm", "mm/min", "r/min"; what is in mm is shown and typed in the unit of lengths
   double least = 0;
   double most = 0;
+  QString caption = {}; ///< above the line, where it is to be shorter than `what`
 };
 
 /// A field for one number: caption with unit, and a line to type in. Decimal comma and point are both taken. What
@@ -53,6 +54,9 @@ public:
   /// The unit as shown.
   [[nodiscard]] QString unitText() const;
 
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 Q_SIGNALS:
   void valueChanged(double value);
   void complaintChanged();
@@ -62,6 +66,7 @@ private:
   QString complaintAbout(const QString& text, double& value) const;
   void showComplaint(const QString& complaint);
   [[nodiscard]] bool isLength() const;
+  [[nodiscard]] QString textOf(double value) const;
 
   NumberSpec m_spec;
   double m_value;

@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+#include <string_view>
+
 namespace arris::ui {
 namespace {
 
@@ -35,6 +39,20 @@ TEST(FieldTexts, CoverEveryFieldOfTheRecipe) {
     })) << field.key;
     EXPECT_FALSE(fieldText(field).isEmpty());
   }
+}
+
+TEST(FieldTexts, CoverEveryFieldOfTheMachine) {
+  std::set<std::string_view> names;
+  for (const auto& field : recipe::machineNumberFields()) {
+    names.insert(field.what);
+  }
+  for (const auto& field : recipe::machineAxesFields()) {
+    names.insert(field.what);
+  }
+  for (const auto& field : recipe::machineFlagFields()) {
+    names.insert(field.what);
+  }
+  EXPECT_EQ(std::set<std::string_view>(machineFieldNames().begin(), machineFieldNames().end()), names);
 }
 
 TEST(Quantities, AreShortAndNeverGrouped) {

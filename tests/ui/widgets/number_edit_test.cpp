@@ -1,4 +1,3 @@
-#include "core/recipe/fields.h"
 #include "ui/widgets/number_edit.h"
 
 #include <QSignalSpy>
@@ -9,12 +8,10 @@
 namespace arris::ui {
 namespace {
 
-const recipe::NumberField& wheelRadius() {
-  return recipe::numberFields().front(); // 0.5 to 500 mm
-}
+const NumberSpec kWheelRadius{"wheel_radius_mm", "Wheel radius", "mm", 0.5, 500};
 
 TEST(NumberEdit, ShowsAnotherValueWithoutSayingThatItHasChanged) {
-  NumberEdit edit(wheelRadius(), 500, 75);
+  NumberEdit edit(kWheelRadius, 75);
   const QSignalSpy changed(&edit, &NumberEdit::valueChanged);
   edit.setValue(60.5);
   EXPECT_EQ(edit.line()->text(), "60.5");
@@ -23,7 +20,7 @@ TEST(NumberEdit, ShowsAnotherValueWithoutSayingThatItHasChanged) {
 }
 
 TEST(NumberEdit, PutsAGoodValueInPlaceOfAWrongText) {
-  NumberEdit edit(wheelRadius(), 500, 75);
+  NumberEdit edit(kWheelRadius, 75);
   edit.line()->setText("700");
   ASSERT_FALSE(edit.complaint().isEmpty());
   const QSignalSpy complaints(&edit, &NumberEdit::complaintChanged);
@@ -35,7 +32,7 @@ TEST(NumberEdit, PutsAGoodValueInPlaceOfAWrongText) {
 
 // The echo of what is typed must not disturb the typing.
 TEST(NumberEdit, LeavesATextThatMeansTheValueAlready) {
-  NumberEdit edit(wheelRadius(), 500, 75);
+  NumberEdit edit(kWheelRadius, 75);
   edit.line()->setText("60.");
   ASSERT_DOUBLE_EQ(edit.value(), 60);
   edit.setValue(60);
