@@ -37,7 +37,7 @@ MainWindow::MainWindow(const MachineSetup& setup, PlannerSteps steps, QWidget* p
   addPage(job, tr("Job"), QStringLiteral("pageJob"));
   addPage(new SetupPage(m_machine), tr("Setup"), QStringLiteral("pageSetup"));
   addPage(new RunPage(m_planner, m_machine), tr("Run"), QStringLiteral("pageRun"));
-  addPage(new ProfilesPage(m_planner), tr("Profiles"), QStringLiteral("pageProfiles"));
+  addPage(new ProfilesPage(m_planner, m_profileFiles), tr("Profiles"), QStringLiteral("pageProfiles"));
   m_strip->showPage(0);
   auto* beside = new QWidget;
   auto* row = new QHBoxLayout(beside);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/presenters/machine_link.h"
+#include "ui/presenters/profile_files.h"
 
 #include <QMainWindow>
 #include <QPointer>
@@ -50,6 +51,7 @@ private:
 
   Planner m_planner;
   MachineLink m_machine;
+  ProfileFiles m_profileFiles;
   ControlStrip* m_strip;
   QStackedWidget* m_pages;
   QPointer<QMessageBox> m_question; // whether to stop and close
