@@ -94,7 +94,7 @@ void MainWindow::build() {
   addPage(job, tr("Job"), QStringLiteral("pageJob"));
   addPage(new SetupPage(m_machine), tr("Setup"), QStringLiteral("pageSetup"));
   addPage(new RunPage(m_planner, m_machine), tr("Run"), QStringLiteral("pageRun"));
-  addPage(new ProfilesPage(m_planner), tr("Profiles"), QStringLiteral("pageProfiles"));
+  addPage(new ProfilesPage(m_planner, m_profileFiles), tr("Profiles"), QStringLiteral("pageProfiles"));
   addPage(new SettingsPage(m_preferences), tr("Settings"), QStringLiteral("pageSettings"));
   m_help = new HelpPage;
   addPage(m_help, tr("Help"), QStringLiteral("pageHelp"));

@@ -2,6 +2,7 @@
 
 #include "ui/presenters/machine_link.h"
 #include "ui/presenters/preferences.h"
+#include "ui/presenters/profile_files.h"
 
 #include <QMainWindow>
 #include <QPointer>
@@ -70,6 +71,7 @@ private:
   Preferences m_preferences;
   Planner m_planner;
   MachineLink m_machine;
+  ProfileFiles m_profileFiles;
   files::Settings m_shown; // the settings that the window was built with
   AlarmBanner* m_banner = nullptr;
   ControlStrip* m_strip = nullptr;

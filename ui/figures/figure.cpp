@@ -24,13 +24,17 @@ constexpr double kUnitsPerInch = 25.4 * kUnitsPerMillimetre;
 constexpr int kPngDotsPerInch = 200;
 constexpr int kPdfDotsPerInch = 1200;
 
-void paintScaled(const Figure& figure, QPaintDevice& device, double dotsPerUnit, bool vector) {
-  QCPPainter painter(&device);
+void paintScaled(const Figure& figure, QCPPainter& painter, double dotsPerUnit, bool vector) {
   painter.setMode(QCPPainter::pmVectorized, vector);
   painter.setMode(QCPPainter::pmNoCaching);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.scale(dotsPerUnit, dotsPerUnit);
   figure.paint(painter);
+}
+
+void paintScaled(const Figure& figure, QPaintDevice& device, double dotsPerUnit, bool vector) {
+  QCPPainter painter(&device);
+  paintScaled(figure, painter, dotsPerUnit, vector);
 }
 
 QByteArray asSvg(const Figure& figure) {
@@ -61,18 +65,9 @@ QByteArray withoutDate(QByteArray pdf) {
   return pdf;
 }
 
-QByteArray asPdf(const Figure& figure) {
-  QBuffer buffer;
-  buffer.open(QIODevice::WriteOnly);
-  QPdfWriter pdf(&buffer);
-  pdf.setTitle(figure.title);
-  pdf.setCreator(QStringLiteral("Arris"));
-  pdf.setResolution(kPdfDotsPerInch);
+QPageLayout a4(const Figure& figure) {
   const bool lying = figure.page.width() > figure.page.height();
-  pdf.setPageLayout(
-      QPageLayout(QPageSize(QPageSize::A4), lying ? QPageLayout::Landscape : QPageLayout::Portrait, QMarginsF()));
-  paintScaled(figure, pdf, kPdfDotsPerInch / kUnitsPerInch, true);
-  return withoutDate(buffer.data());
+  return {QPageSize(QPageSize::A4), lying ? QPageLayout::Landscape : QPageLayout::Portrait, QMarginsF()};
 }
 
 QByteArray asPng(const Figure& figure) {
@@ -89,6 +84,28 @@ QByteArray asPng(const Figure& figure) {
 }
 
 } // namespace
+
+QByteArray encodedPdf(const std::vector<Figure>& pages) {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  QPdfWriter pdf(&buffer);
+  pdf.setTitle(pages.front().title);
+  pdf.setCreator(QStringLiteral("Arris"));
+  pdf.setResolution(kPdfDotsPerInch);
+  pdf.setPageLayout(a4(pages.front()));
+  QCPPainter painter(&pdf);
+  for (const Figure& page : pages) {
+    if (&page != &pages.front()) {
+      pdf.setPageLayout(a4(page));
+      pdf.newPage();
+    }
+    painter.save();
+    paintScaled(page, painter, kPdfDotsPerInch / kUnitsPerInch, true);
+    painter.restore();
+  }
+  painter.end();
+  return withoutDate(buffer.data());
+}
 
 std::optional<FigureFormat> figureFormat(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
@@ -111,7 +128,7 @@ QByteArray encoded(const Figure& figure, FigureFormat format) {
   case FigureFormat::Svg:
     return asSvg(figure);
   case FigureFormat::Pdf:
-    return asPdf(figure);
+    return encodedPdf({figure});
   case FigureFormat::Png:
     return asPng(figure);
   }

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <vector>
 
 class QCPPainter;
 
@@ -35,6 +36,9 @@ enum class FigureFormat { Svg, Pdf, Png };
 /// The bytes of the file: SVG, PDF of one A4 page, or PNG at 200 dots per inch. The same figure gives the same bytes:
 /// no dates inside.
 [[nodiscard]] QByteArray encoded(const Figure& figure, FigureFormat format);
+
+/// A PDF of as many pages of A4, each standing or lying as it asks; called as the first.
+[[nodiscard]] QByteArray encodedPdf(const std::vector<Figure>& pages);
 
 /// The same in the format of a file's ending; ValueNotAChoice for another ending.
 [[nodiscard]] base::Expected<QByteArray> encodedFor(const Figure& figure, const std::filesystem::path& file);

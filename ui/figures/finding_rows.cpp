@@ -51,9 +51,9 @@ void countUnlisted(std::vector<Kind>& kinds, const base::Problems& problems) {
   }
 }
 
-QString wordsFor(const Kind& kind, const QLocale& locale) {
-  QString words = problemText(*kind.first, locale);
-  const QString place = placeText(*kind.first, locale);
+QString wordsFor(const Kind& kind, const QLocale& locale, LengthUnit unit) {
+  QString words = problemText(*kind.first, locale, unit);
+  const QString place = placeText(*kind.first, locale, unit);
   if (!place.isEmpty()) {
     words += QLatin1Char(' ') + place;
   }
@@ -66,7 +66,7 @@ QString wordsFor(const Kind& kind, const QLocale& locale) {
 
 } // namespace
 
-std::vector<FindingRow> findingRows(const Drawing& drawing, const QLocale& locale) {
+std::vector<FindingRow> findingRows(const Drawing& drawing, const QLocale& locale, LengthUnit unit) {
   std::vector<Kind> kinds;
   count(kinds, drawing.problems);
   count(kinds, drawing.repairs);
@@ -76,7 +76,7 @@ std::vector<FindingRow> findingRows(const Drawing& drawing, const QLocale& local
   });
   std::vector<FindingRow> rows;
   for (const Kind& kind : kinds) {
-    rows.push_back({base::severityOf(*kind.first), wordsFor(kind, locale)});
+    rows.push_back({base::severityOf(*kind.first), wordsFor(kind, locale, unit)});
   }
   return rows;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/figures/drawing.h"
+#include "ui/text/quantities.h"
 
 #include <QLocale>
 #include <QString>
@@ -16,6 +17,7 @@ struct FindingRow {
 };
 
 /// What was found and repaired, one row for each code, errors first, so that none is crowded out by another.
-[[nodiscard]] std::vector<FindingRow> findingRows(const Drawing& drawing, const QLocale& locale);
+[[nodiscard]] std::vector<FindingRow> findingRows(const Drawing& drawing, const QLocale& locale,
+                                                  LengthUnit unit = LengthUnit::Millimetre);
 
 } // namespace arris::ui

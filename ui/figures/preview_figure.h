@@ -13,7 +13,8 @@ struct PreviewTitle {
   std::vector<QString> lines; ///< what was made of it
 };
 
-[[nodiscard]] PreviewTitle previewTitle(const job::Job& job, const QString& file);
+/// With numbers in `locale`; lengths in mm.
+[[nodiscard]] PreviewTitle previewTitle(const job::Job& job, const QString& file, const QLocale& locale = QLocale::c());
 [[nodiscard]] PreviewTitle previewTitle(const pattern::Pattern& pattern, const QString& file);
 
 /// A page of A4 with the drawing true to a round scale: glass, wheel path, transitions, numbered corners, leads,

@@ -31,10 +31,10 @@ class TitleLines {
 
 public:
   static QString contours(const std::vector<pattern::Contour>& contours);
-  static QString pane(const job::Job& job);
+  static QString pane(const job::Job& job, const QLocale& locale);
   static QString parts(const job::Job& job);
-  static QString values(const job::Job& job);
-  static QString times(const job::Job& job);
+  static QString values(const job::Job& job, const QLocale& locale);
+  static QString times(const job::Job& job, const QLocale& locale);
   static QString imported(const pattern::Pattern& pattern);
 };
 
@@ -48,15 +48,15 @@ QString TitleLines::contours(const std::vector<pattern::Contour>& contours) {
       .arg(countOf(contours, pattern::ContourKind::CutOut));
 }
 
-QString TitleLines::pane(const job::Job& job) {
-  const QLocale c = QLocale::c();
+QString TitleLines::pane(const job::Job& job, const QLocale& locale) {
   const geometry::Box box = paneBox(job.contours);
   if (box.isEmpty()) {
     return tr("No contour");
   }
-  QString line = tr("Pane %1, lower left at X %2, Y %3")
-                     .arg(sizeText(box, c), numberText(box.min().x(), 1, c), numberText(box.min().y(), 1, c));
-  line += QStringLiteral(" · ") + tr("glass %1 mm").arg(numberText(job.recipe.thickness, 2, c));
+  QString line =
+      tr("Pane %1, lower left at X %2, Y %3")
+          .arg(sizeText(box, locale), numberText(box.min().x(), 1, locale), numberText(box.min().y(), 1, locale));
+  line += QStringLiteral(" · ") + tr("glass %1 mm").arg(numberText(job.recipe.thickness, 2, locale));
   return line;
 }
 
@@ -64,16 +64,14 @@ QString TitleLines::parts(const job::Job& job) {
   return contours(job.contours) + QStringLiteral(" · ") + tr("corners: %1").arg(job.toolpath.corners.size());
 }
 
-QString TitleLines::values(const job::Job& job) {
-  const QLocale c = QLocale::c();
+QString TitleLines::values(const job::Job& job, const QLocale& locale) {
   const recipe::Recipe& r = job.recipe;
   return tr("Wheel R %1 mm · depth %2 mm · feed %3 mm/min · acceleration X %4, Y %5 mm/s²")
-      .arg(numberText(r.wheelRadius, 3, c), numberText(r.depth, 3, c), numberText(r.feed, 1, c),
-           numberText(r.accelX, 2, c), numberText(r.accelY, 2, c));
+      .arg(numberText(r.wheelRadius, 3, locale), numberText(r.depth, 3, locale), numberText(r.feed, 1, locale),
+           numberText(r.accelX, 2, locale), numberText(r.accelY, 2, locale));
 }
 
-QString TitleLines::times(const job::Job& job) {
-  const QLocale c = QLocale::c();
+QString TitleLines::times(const job::Job& job, const QLocale& locale) {
   if (job.pieces.empty()) {
     return tr("Cannot be ground");
   }
@@ -84,7 +82,7 @@ QString TitleLines::times(const job::Job& job) {
     }
   }
   return tr("Grinding %1 · whole program %2 · wheel path %3 mm")
-      .arg(durationText(job.working, c), durationText(job.duration, c), numberText(length, 1, c));
+      .arg(durationText(job.working, locale), durationText(job.duration, locale), numberText(length, 1, locale));
 }
 
 QString TitleLines::imported(const pattern::Pattern& pattern) {
@@ -101,8 +99,10 @@ QString TitleLines::imported(const pattern::Pattern& pattern) {
 
 } // namespace
 
-PreviewTitle previewTitle(const job::Job& job, const QString& file) {
-  return {file, {TitleLines::pane(job), TitleLines::parts(job), TitleLines::values(job), TitleLines::times(job)}};
+PreviewTitle previewTitle(const job::Job& job, const QString& file, const QLocale& locale) {
+  return {file,
+          {TitleLines::pane(job, locale), TitleLines::parts(job), TitleLines::values(job, locale),
+           TitleLines::times(job, locale)}};
 }
 
 PreviewTitle previewTitle(const pattern::Pattern& pattern, const QString& file) {

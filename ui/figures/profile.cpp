@@ -28,6 +28,10 @@ const std::vector<double>& columnOf(const ProfileColumns& columns, Panel panel) 
     return columns.ay;
   case Panel::Speed:
     return columns.speed;
+  case Panel::PositionX:
+    return columns.x;
+  case Panel::PositionY:
+    return columns.y;
   case Panel::Distance:
     break;
   }
@@ -102,7 +106,7 @@ std::pair<double, double> rangeOf(const ProfileColumns& columns, Panel panel) {
   return least <= most ? std::pair(least, most) : std::pair(0.0, 0.0);
 }
 
-QPolygonF curveOf(const ProfileColumns& columns, Panel panel) {
+QPolygonF thinnedColumn(const ProfileColumns& columns, Panel panel) {
   const std::vector<double>& values = columnOf(columns, panel);
   QPolygonF curve;
   curve.reserve(static_cast<qsizetype>(values.size()));
@@ -123,8 +127,8 @@ QPolygonF curveOf(const ProfileColumns& columns, Panel panel) {
 constexpr double kMostRows = 200000;
 
 void reserve(ProfileColumns& columns, std::size_t rows) {
-  for (std::vector<double>* column :
-       {&columns.time, &columns.vx, &columns.vy, &columns.ax, &columns.ay, &columns.speed, &columns.distance}) {
+  for (std::vector<double>* column : {&columns.time, &columns.x, &columns.y, &columns.vx, &columns.vy, &columns.ax,
+                                      &columns.ay, &columns.speed, &columns.distance}) {
     column->reserve(rows);
   }
   columns.contour.reserve(rows);
@@ -133,6 +137,13 @@ void reserve(ProfileColumns& columns, std::size_t rows) {
 }
 
 } // namespace
+
+std::span<const Panel> panelsOf(PlotContent content) {
+  static constexpr std::array kSpeeds{Panel::SpeedX,        Panel::SpeedY, Panel::AccelerationX,
+                                      Panel::AccelerationY, Panel::Speed,  Panel::Distance};
+  static constexpr std::array kPositions{Panel::PositionX, Panel::PositionY};
+  return content == PlotContent::Speeds ? std::span<const Panel>(kSpeeds) : std::span<const Panel>(kPositions);
+}
 
 Zone zoneOf(std::string_view phase) {
   if (phase == "decelerate") {
@@ -146,6 +157,8 @@ Zone zoneOf(std::string_view phase) {
 
 void append(ProfileColumns& columns, const files::ProfileRow& row) {
   columns.time.push_back(row.time);
+  columns.x.push_back(row.position.x());
+  columns.y.push_back(row.position.y());
   columns.vx.push_back(row.velocity.x());
   columns.vy.push_back(row.velocity.y());
   columns.ax.push_back(row.acceleration.x());
@@ -187,6 +200,8 @@ ProfileLimits limitsOf(const job::Job& job) {
   limits.accelX = job.recipe.accelX; // under the combined rule too, which does not keep them: then it shows
   limits.accelY = job.recipe.accelY;
   limits.wheelRadius = job.recipe.wheelRadius;
+  limits.travelX = job.machine.travel.x();
+  limits.travelY = job.machine.travel.y();
   for (const toolpath::Corner& corner : job.toolpath.corners) {
     limits.corners.push_back({corner.id, corner.angle, std::nullopt});
     if (corner.treatment == toolpath::Treatment::Transition) { // a roll lifts nothing
@@ -209,7 +224,7 @@ ProfileCurves curvesOf(const ProfileColumns& columns, const QString& name) {
   curves.bands = bandsOf(columns, first, end);
   for (int i = 0; i < kPanelCount; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    curves.panels[at] = curveOf(columns, static_cast<Panel>(i));
+    curves.panels[at] = thinnedColumn(columns, static_cast<Panel>(i));
     curves.range[at] = rangeOf(columns, static_cast<Panel>(i));
   }
   return curves;

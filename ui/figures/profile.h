@@ -24,7 +24,7 @@ enum class Zone : std::uint8_t { None, Slowing, Corner, Leaving, Away };
 
 /// A profile as columns of equal length, from a job or from a file: mm, s.
 struct ProfileColumns {
-  std::vector<double> time, vx, vy, ax, ay, speed;
+  std::vector<double> time, x, y, vx, vy, ax, ay, speed;
   std::vector<double> distance; ///< wheel centre to the corner; NaN where there is none
   std::vector<int> contour, corner;
   std::vector<Zone> zone;
@@ -49,17 +49,24 @@ struct ProfileLimits {
     std::optional<double> reliefRadius; ///< R + d, mm
   };
 
-  std::optional<double> feed;           ///< mm/s
-  std::optional<double> accelX, accelY; ///< mm/s²
-  std::optional<double> wheelRadius;    ///< mm
-  std::vector<Corner> corners;
+  std::optional<double> feed;                       ///< mm/s
+  std::optional<double> accelX, accelY;             ///< mm/s²
+  std::optional<double> wheelRadius;                ///< mm
+  std::optional<double> travelX = {}, travelY = {}; ///< mm: the wheel's centre goes from 0 to these
+  std::vector<Corner> corners = {};
 };
 
 [[nodiscard]] ProfileLimits limitsOf(const job::Job& job);
 
-/// The panels of the plot, from top to bottom.
-enum class Panel { SpeedX, SpeedY, AccelerationX, AccelerationY, Speed, Distance };
-inline constexpr int kPanelCount = 6;
+/// What can be plotted over time, each in a panel of its own.
+enum class Panel { SpeedX, SpeedY, AccelerationX, AccelerationY, Speed, Distance, PositionX, PositionY };
+inline constexpr int kPanelCount = 8;
+
+/// What a plot shows: the paper's Figures 8 and 10, or 9b and 9c.
+enum class PlotContent : std::uint8_t { Speeds, Positions };
+
+/// Its panels from top to bottom.
+[[nodiscard]] std::span<const Panel> panelsOf(PlotContent content);
 
 /// The time over which one zone of one corner lasts, s; no time at all for a corner where the wheel only stops.
 struct CornerBand {
@@ -72,7 +79,7 @@ struct CornerBand {
 /// A profile made ready for plotting: curves over time, thinned to what a screen can show at any sensible zoom.
 struct ProfileCurves {
   QString name;                              ///< for the legend: "planned", "actual"
-  std::array<QPolygonF, kPanelCount> panels; ///< x: s; y: mm/s, mm/s² or mm; NaN for gaps
+  std::array<QPolygonF, kPanelCount> panels; ///< by Panel; x: s; y: mm/s, mm/s² or mm; NaN for gaps
   std::vector<CornerBand> bands;
   double duration = 0;             ///< s
   double workFrom = 0, workTo = 0; ///< s, from the first lead-in to the last lead-out; all where there is no contour
@@ -80,6 +87,11 @@ struct ProfileCurves {
 };
 
 [[nodiscard]] ProfileCurves curvesOf(const ProfileColumns& columns, const QString& name);
+
+/// Which panel of the curves.
+[[nodiscard]] inline const QPolygonF& curveOf(const ProfileCurves& curves, Panel panel) {
+  return curves.panels.at(static_cast<std::size_t>(panel));
+}
 
 /// The value of a curve at a time, between its points on a straight line; NaN before, after and in gaps.
 [[nodiscard]] double curveValue(const QPolygonF& curve, double time);

@@ -28,17 +28,48 @@ constexpr double kTickRoom = 0.25;
 // The distance is shown over at least this share of the wheel radius.
 constexpr double kLeastDistanceRange = 0.02;
 
+// An end of the travel is shown where it is nearer to the way than this share of it.
+constexpr double kTravelNear = 0.25;
+
 constexpr double kLineBreak = std::numeric_limits<double>::quiet_NaN();
 
-bool isSymmetric(Panel panel) {
-  return panel != Panel::Speed && panel != Panel::Distance;
+bool isPosition(Panel panel) {
+  return panel == Panel::PositionX || panel == Panel::PositionY;
 }
 
-QVector<QCPGraphData> asGraphData(const QPolygonF& curve) {
+bool isSymmetric(Panel panel) {
+  return panel != Panel::Speed && panel != Panel::Distance && !isPosition(panel);
+}
+
+// What the speed or acceleration of a panel is held against.
+std::optional<double> limitFor(Panel panel, const ProfileLimits& limits) {
+  switch (panel) {
+  case Panel::AccelerationX:
+    return limits.accelX;
+  case Panel::AccelerationY:
+    return limits.accelY;
+  case Panel::SpeedX:
+  case Panel::SpeedY:
+  case Panel::Speed:
+    return limits.feed;
+  case Panel::Distance:
+  case Panel::PositionX:
+  case Panel::PositionY:
+    break;
+  }
+  return std::nullopt;
+}
+
+// Where the travel ends of the axis whose position a panel shows.
+std::optional<double> travelFor(Panel panel, const ProfileLimits& limits) {
+  return panel == Panel::PositionX ? limits.travelX : limits.travelY;
+}
+
+QVector<QCPGraphData> asGraphData(const QPolygonF& curve, double scale) {
   QVector<QCPGraphData> data;
   data.reserve(curve.size());
   for (const QPointF& point : curve) {
-    data.append({point.x(), point.y()});
+    data.append({point.x(), point.y() * scale});
   }
   return data;
 }
@@ -50,7 +81,8 @@ void addTick(QCPAxis* axis, double value, const QString& words) {
 
 } // namespace
 
-ProfilePlot::ProfilePlot(const FigureStyle& style, QWidget* parent) : QCustomPlot(parent), m_style(style) {
+ProfilePlot::ProfilePlot(const FigureStyle& style, PlotContent content, QWidget* parent)
+    : QCustomPlot(parent), m_style(style) {
   QLocale locale(style.locale);
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
   setLocale(locale);
@@ -60,17 +92,17 @@ ProfilePlot::ProfilePlot(const FigureStyle& style, QWidget* parent) : QCustomPlo
   plotLayout()->clear();
   plotLayout()->setRowSpacing(0);
   auto* margins = new QCPMarginGroup(this);
-  for (int i = 0; i < kPanelCount; ++i) {
-    addPanel(static_cast<Panel>(i));
-    PanelParts& panel = m_panels[static_cast<std::size_t>(i)];
-    panel.rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
-    addInstant(panel);
+  const std::span<const Panel> panels = panelsOf(content);
+  for (const Panel panel : panels) {
+    addPanel(panel, panel == panels.back());
+    m_panels.back().rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
+    addInstant(m_panels.back());
   }
   m_bands = new CornerBands(m_panels.front().rect, style);
   // All panels are equally high: the corners' labels and the time axis stand in rows of their own.
   addSpace(0, m_bands->labelHeight());
   addSpace(plotLayout()->rowCount(), static_cast<int>(kTimeAxisHeight * style.unit));
-  const double least = kPanelCount * (kLeastPanelHeight + kPanelGap) + kTimeAxisHeight;
+  const double least = static_cast<double>(m_panels.size()) * (kLeastPanelHeight + kPanelGap) + kTimeAxisHeight;
   setMinimumHeight(static_cast<int>(least * style.unit) + m_bands->labelHeight());
 }
 
@@ -82,11 +114,9 @@ void ProfilePlot::addSpace(int row, int height) {
   plotLayout()->addElement(row, 0, space);
 }
 
-void ProfilePlot::addPanel(Panel panel) {
+void ProfilePlot::addPanel(Panel panel, bool last) {
   auto* rect = new QCPAxisRect(this);
   plotLayout()->addElement(plotLayout()->rowCount(), 0, rect);
-  m_panels[static_cast<std::size_t>(panel)].rect = rect;
-  const bool last = static_cast<int>(panel) + 1 == kPanelCount;
   const double unit = m_style.unit;
   const int gap = static_cast<int>(kPanelGap / 2 * unit);
   rect->setAutoMargins(QCP::msLeft | QCP::msRight);
@@ -114,7 +144,7 @@ void ProfilePlot::addPanel(Panel panel) {
   }
   const int tick = static_cast<int>(kTickLength * unit);
   rect->axis(QCPAxis::atLeft)->setTickLengthOut(tick);
-  rect->axis(QCPAxis::atLeft)->setLabel(axisTitle(panel, true));
+  rect->axis(QCPAxis::atLeft)->setLabel(axisTitle(panel, true, m_style.lengths));
   rect->axis(QCPAxis::atLeft)->ticker()->setTickCount(4);
   rect->axis(QCPAxis::atBottom)->grid()->setZeroLinePen(Qt::NoPen);
   rect->axis(QCPAxis::atBottom)->setTickLabels(last);
@@ -129,19 +159,22 @@ void ProfilePlot::addPanel(Panel panel) {
   right->setTickLabels(true);
   right->setTickLabelColor(m_style.palette.faint);
   // One time axis for all: whichever is dragged takes the others along.
-  for (PanelParts& other : m_panels) {
-    if (other.rect && other.rect != rect) {
-      QCPAxis* mine = rect->axis(QCPAxis::atBottom);
-      QCPAxis* theirs = other.rect->axis(QCPAxis::atBottom);
-      connect(mine, QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), theirs,
-              QOverload<const QCPRange&>::of(&QCPAxis::setRange));
-      connect(theirs, QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), mine,
-              QOverload<const QCPRange&>::of(&QCPAxis::setRange));
-    }
+  for (const PanelParts& other : m_panels) {
+    QCPAxis* mine = rect->axis(QCPAxis::atBottom);
+    QCPAxis* theirs = other.rect->axis(QCPAxis::atBottom);
+    connect(mine, QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), theirs,
+            QOverload<const QCPRange&>::of(&QCPAxis::setRange));
+    connect(theirs, QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), mine,
+            QOverload<const QCPRange&>::of(&QCPAxis::setRange));
   }
+  m_panels.push_back({panel, rect, {}, nullptr});
 }
 
-QString ProfilePlot::axisTitle(Panel panel, bool inWords) {
+QString ProfilePlot::axisTitle(Panel panel, bool inWords, LengthUnit unit) {
+  return inShownUnits(titleInMillimetres(panel, inWords), unit);
+}
+
+QString ProfilePlot::titleInMillimetres(Panel panel, bool inWords) {
   switch (panel) {
   case Panel::SpeedX:
     return inWords ? tr("X velocity\nmm/s") : tr("v X\nmm/s");
@@ -153,6 +186,10 @@ QString ProfilePlot::axisTitle(Panel panel, bool inWords) {
     return inWords ? tr("Y acceleration\nmm/s²") : tr("a Y\nmm/s²");
   case Panel::Speed:
     return inWords ? tr("Path speed\nmm/s") : tr("v\nmm/s");
+  case Panel::PositionX:
+    return inWords ? tr("X position\nmm") : tr("X\nmm");
+  case Panel::PositionY:
+    return inWords ? tr("Y position\nmm") : tr("Y\nmm");
   case Panel::Distance:
     break;
   }
@@ -161,12 +198,9 @@ QString ProfilePlot::axisTitle(Panel panel, bool inWords) {
 
 // Words where they fit beside the panels, symbols where they do not.
 void ProfilePlot::setAxisTitles(double height) {
-  const double panel = (height / m_style.unit - kTimeAxisHeight) / kPanelCount - kPanelGap;
-  for (int i = 0; i < kPanelCount; ++i) {
-    const auto kind = static_cast<Panel>(i);
-    m_panels.at(static_cast<std::size_t>(i))
-        .rect->axis(QCPAxis::atLeft)
-        ->setLabel(axisTitle(kind, panel > kPanelHeightForWords));
+  const double each = (height / m_style.unit - kTimeAxisHeight) / static_cast<double>(m_panels.size()) - kPanelGap;
+  for (const PanelParts& panel : m_panels) {
+    panel.rect->axis(QCPAxis::atLeft)->setLabel(axisTitle(panel.kind, each > kPanelHeightForWords, m_style.lengths));
   }
 }
 
@@ -174,9 +208,11 @@ QColor ProfilePlot::colorOf(Panel panel) const {
   switch (panel) {
   case Panel::SpeedX:
   case Panel::AccelerationX:
+  case Panel::PositionX:
     return m_style.palette.x;
   case Panel::SpeedY:
   case Panel::AccelerationY:
+  case Panel::PositionY:
     return m_style.palette.y;
   case Panel::Speed:
     return m_style.palette.speed;
@@ -191,15 +227,13 @@ void ProfilePlot::setProfiles(const std::vector<ProfileCurves>& profiles, const 
   m_cornerBands = profiles.empty() ? std::vector<CornerBand>() : profiles.front().bands;
   m_bands->show(m_cornerBands, limits.corners, m_panels.back().rect);
   setTimes(profiles);
-  for (int i = 0; i < kPanelCount; ++i) {
-    PanelParts& panel = m_panels[static_cast<std::size_t>(i)];
-    const auto kind = static_cast<Panel>(i);
+  for (PanelParts& panel : m_panels) {
     panel.graphs.clear();
     panel.rect->axis(QCPAxis::atRight)->ticker().dynamicCast<QCPAxisTickerText>()->clear();
-    setRange(panel, kind, profiles, limits);
-    addLimits(panel, kind, limits);
+    setRange(panel, profiles, limits);
+    addLimits(panel, limits);
     for (const ProfileCurves& curves : profiles) {
-      addCurve(panel, kind, curves, profiles.size() > 1 && &curves == &profiles.front());
+      addCurve(panel, curves, profiles.size() > 1 && &curves == &profiles.front());
     }
   }
   if (!keepView) {
@@ -219,15 +253,21 @@ void ProfilePlot::setTimes(const std::vector<ProfileCurves>& profiles) {
 }
 
 // Of two profiles the first lies wide and pale under the second: told apart without colour, and where they agree.
-void ProfilePlot::addCurve(PanelParts& panel, Panel kind, const ProfileCurves& curves, bool under) {
+void ProfilePlot::addCurve(PanelParts& panel, const ProfileCurves& curves, bool under) {
   QCPGraph* graph = addGraph(panel.rect->axis(QCPAxis::atBottom), panel.rect->axis(QCPAxis::atLeft));
-  graph->setPen(under ? overlaidPen(m_style, colorOf(kind)) : m_style.pen(colorOf(kind), kLine + 0.5));
-  graph->data()->set(asGraphData(curves.panels[static_cast<std::size_t>(kind)]), true);
+  graph->setPen(under ? overlaidPen(m_style, colorOf(panel.kind)) : m_style.pen(colorOf(panel.kind), kLine + 0.5));
+  graph->data()->set(asGraphData(curveOf(curves, panel.kind), shown(1)), true);
   panel.graphs.push_back(graph);
 }
 
-void ProfilePlot::setRange(PanelParts& panel, Panel kind, const std::vector<ProfileCurves>& profiles,
-                           const ProfileLimits& limits) {
+// In the unit that is shown.
+double ProfilePlot::shown(double millimetres) const {
+  return shownLength(millimetres, m_style.lengths);
+}
+
+void ProfilePlot::setRange(const PanelParts& panel, const std::vector<ProfileCurves>& profiles,
+                           const ProfileLimits& limits) const {
+  const Panel kind = panel.kind;
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
   const auto include = [&](double value) {
@@ -246,13 +286,20 @@ void ProfilePlot::setRange(PanelParts& panel, Panel kind, const std::vector<Prof
     for (const ProfileLimits::Corner& corner : limits.corners) {
       include(corner.reliefRadius.value_or(limits.wheelRadius.value_or(0)));
     }
+  } else if (isPosition(kind)) {
+    for (const double end : {0.0, travelFor(kind, limits).value_or(0)}) { // where they are near; else the way is small
+      if (least <= most && std::min(std::abs(end - least), std::abs(end - most)) < kTravelNear * (most - least)) {
+        include(end);
+      }
+    }
   } else {
+    const double limit = limitFor(kind, limits).value_or(0);
     include(0);
-    const std::optional<double> limit = kind == Panel::AccelerationX   ? limits.accelX
-                                        : kind == Panel::AccelerationY ? limits.accelY
-                                                                       : limits.feed;
-    include(limit.value_or(0));
-    include(isSymmetric(kind) ? -limit.value_or(0) : 0);
+    include(limit);
+    include(isSymmetric(kind) ? -limit : 0);
+  }
+  if (least > most) {
+    least = most = 0;
   }
   if (isSymmetric(kind)) {
     most = std::max(most, -least);
@@ -263,26 +310,37 @@ void ProfilePlot::setRange(PanelParts& panel, Panel kind, const std::vector<Prof
   }
   const double room = most > least ? 0.12 * (most - least) : 1;
   const double below = kind == Panel::Speed ? 0 : room;
-  panel.rect->axis(QCPAxis::atLeft)->setRange(least - below, most + room);
-  panel.rect->axis(QCPAxis::atRight)->setRange(least - below, most + room);
+  for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight}) {
+    panel.rect->axis(side)->setRange(shown(least - below), shown(most + room));
+  }
 }
 
-void ProfilePlot::addLimits(PanelParts& panel, Panel kind, const ProfileLimits& limits) {
-  if (kind == Panel::Distance) {
+void ProfilePlot::addLimits(PanelParts& panel, const ProfileLimits& limits) {
+  if (panel.kind == Panel::Distance) {
     addReliefLimits(panel, limits);
     return;
   }
-  const bool acceleration = kind == Panel::AccelerationX || kind == Panel::AccelerationY;
-  const std::optional<double> limit = kind == Panel::AccelerationX   ? limits.accelX
-                                      : kind == Panel::AccelerationY ? limits.accelY
-                                                                     : limits.feed;
+  if (isPosition(panel.kind)) {
+    addTravelLimits(panel, limits);
+    return;
+  }
+  const bool acceleration = panel.kind == Panel::AccelerationX || panel.kind == Panel::AccelerationY;
+  const std::optional<double> limit = limitFor(panel.kind, limits);
   if (!limit) {
     return;
   }
   const QString words = acceleration ? tr("limit %1") : tr("feed %1");
-  addLimitLine(panel, *limit, words.arg(numberText(*limit, 2, m_style.locale)));
-  if (isSymmetric(kind)) {
-    addLimitLine(panel, -*limit, words.arg(numberText(-*limit, 2, m_style.locale)));
+  addLimitLine(panel, *limit, words.arg(m_style.lengthText(*limit, 2)));
+  if (isSymmetric(panel.kind)) {
+    addLimitLine(panel, -*limit, words.arg(m_style.lengthText(-*limit, 2)));
+  }
+}
+
+void ProfilePlot::addTravelLimits(PanelParts& panel, const ProfileLimits& limits) {
+  if (const std::optional<double> end = travelFor(panel.kind, limits)) {
+    for (const double at : {0.0, *end}) {
+      addLimitLine(panel, at, tr("travel %1").arg(m_style.lengthText(at, 1)));
+    }
   }
 }
 
@@ -290,9 +348,9 @@ void ProfilePlot::addLimitLine(PanelParts& panel, double value, const QString& w
   QCPGraph* line = addGraph(panel.rect->axis(QCPAxis::atBottom), panel.rect->axis(QCPAxis::atLeft));
   line->setPen(limitPen(m_style));
   const double far = 1e7; // s: beyond any profile
-  line->data()->set({{-far, value}, {far, value}}, true);
+  line->data()->set({{-far, shown(value)}, {far, shown(value)}}, true);
   panel.graphs.push_back(line);
-  addTick(panel.rect->axis(QCPAxis::atRight), value, words);
+  addTick(panel.rect->axis(QCPAxis::atRight), shown(value), words);
 }
 
 // R all along, and R + d of each corner over its band; their values stand together where they are too near.
@@ -301,7 +359,7 @@ void ProfilePlot::addReliefLimits(PanelParts& panel, const ProfileLimits& limits
     return;
   }
   const double radius = *limits.wheelRadius;
-  const QString atRadius = QStringLiteral("R %1").arg(numberText(radius, 3, m_style.locale));
+  const QString atRadius = QStringLiteral("R %1").arg(m_style.lengthText(radius, 3));
   addLimitLine(panel, radius, atRadius);
   QCPGraph* relief = addGraph(panel.rect->axis(QCPAxis::atBottom), panel.rect->axis(QCPAxis::atLeft));
   relief->setPen(reliefPen(m_style));
@@ -312,7 +370,8 @@ void ProfilePlot::addReliefLimits(PanelParts& panel, const ProfileLimits& limits
     const auto corner = std::find_if(limits.corners.begin(), limits.corners.end(),
                                      [&](const ProfileLimits::Corner& c) { return c.id == band.corner; });
     if (band.zone == Zone::Corner && corner != limits.corners.end() && corner->reliefRadius) {
-      relief->addData({band.from, band.to, band.to}, {*corner->reliefRadius, *corner->reliefRadius, kLineBreak}, true);
+      const double value = shown(*corner->reliefRadius);
+      relief->addData({band.from, band.to, band.to}, {value, value, kLineBreak}, true);
       least = std::min(least, *corner->reliefRadius);
       most = std::max(most, *corner->reliefRadius);
     }
@@ -320,14 +379,14 @@ void ProfilePlot::addReliefLimits(PanelParts& panel, const ProfileLimits& limits
   if (most == 0) {
     return;
   }
-  const QString lower = numberText(least, 2, m_style.locale);
-  const QString upper = numberText(most, 2, m_style.locale);
+  const QString lower = m_style.lengthText(least, 2);
+  const QString upper = m_style.lengthText(most, 2);
   const QString atRelief = QStringLiteral("R + d %1").arg(lower == upper ? lower : lower + QStringLiteral("–") + upper);
   QCPAxis* right = panel.rect->axis(QCPAxis::atRight);
-  if (least - radius > kTickRoom * right->range().size()) {
-    addTick(right, least, atRelief);
+  if (shown(least - radius) > kTickRoom * right->range().size()) {
+    addTick(right, shown(least), atRelief);
   } else {
-    addTick(right, radius, atRelief + QLatin1Char('\n') + atRadius);
+    addTick(right, shown(radius), atRelief + QLatin1Char('\n') + atRadius);
   }
 }
 
@@ -341,6 +400,11 @@ void ProfilePlot::showTimes(double from, double to) {
     panel.rect->axis(QCPAxis::atBottom)->setRange(from, to);
   }
   refresh();
+}
+
+std::pair<double, double> ProfilePlot::shownTimes() const {
+  const QCPRange shown = m_panels.front().rect->axis(QCPAxis::atBottom)->range();
+  return {shown.lower, shown.upper};
 }
 
 void ProfilePlot::showWork() {

@@ -5,8 +5,8 @@
 
 #include <qcustomplot.h>
 
-#include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace arris::ui {
@@ -16,14 +16,15 @@ class CornerBands;
 /// Of a plot in the window, px per unit of figures.
 inline constexpr double kPlotUnit = 0.5;
 
-/// Velocity and acceleration of X and Y, path speed and distance to the corner over one time axis, with the corners
-/// marked and the limits drawn; after the paper's Figures 8 and 10. The window shows it, figures are printed from it.
+/// Velocity and acceleration of X and Y, path speed and distance to the corner (or the positions of X and Y) over one
+/// time axis, with the corners marked and the limits drawn; after the paper's Figures 8, 9 and 10. The window shows it,
+/// figures are printed from it.
 /// With the focus, arrows move the time that is pointed at, plus and minus zoom, and Home shows the work.
 class ProfilePlot : public QCustomPlot {
   Q_OBJECT
 
 public:
-  explicit ProfilePlot(const FigureStyle& style, QWidget* parent = nullptr);
+  explicit ProfilePlot(const FigureStyle& style, PlotContent content = PlotContent::Speeds, QWidget* parent = nullptr);
 
   /// Shows up to two profiles, the second drawn thin over the first (planned, then actual). `keepView` leaves the time
   /// range as it is; else the work fills the plot.
@@ -31,6 +32,8 @@ public:
 
   void selectCorner(int corner);
   void showTimes(double from, double to);
+  /// The times that are shown, s.
+  [[nodiscard]] std::pair<double, double> shownTimes() const;
   void showWork();
   void showAll();
   void zoomIn();
@@ -40,7 +43,7 @@ public:
   void markInstant(std::optional<double> time);
 
   /// What a panel shows and its unit on a second line, in words or as a symbol.
-  [[nodiscard]] static QString axisTitle(Panel panel, bool inWords);
+  [[nodiscard]] static QString axisTitle(Panel panel, bool inWords, LengthUnit unit);
 
   /// Reduces the curves to what shows on paper at this size, and cuts off what lies outside the panels.
   void prepareForPrint(const QSize& size);
@@ -60,7 +63,10 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private:
+  [[nodiscard]] static QString titleInMillimetres(Panel panel, bool inWords);
+
   struct PanelParts {
+    Panel kind = Panel::SpeedX;
     QCPAxisRect* rect = nullptr;
     std::vector<QCPGraph*> graphs;
     QCPItemStraightLine* instant = nullptr;
@@ -68,23 +74,24 @@ private:
 
   void refresh();
   void zoomBy(double factor);
-  void addPanel(Panel panel);
+  void addPanel(Panel panel, bool last);
   void addInstant(PanelParts& panel);
   void pointAt(double x);
   void pointBeside(int steps);
   void addSpace(int row, int height);
   void setTimes(const std::vector<ProfileCurves>& profiles);
-  void addCurve(PanelParts& panel, Panel kind, const ProfileCurves& curves, bool under);
-  static void setRange(PanelParts& panel, Panel kind, const std::vector<ProfileCurves>& profiles,
-                       const ProfileLimits& limits);
-  void addLimits(PanelParts& panel, Panel kind, const ProfileLimits& limits);
+  void addCurve(PanelParts& panel, const ProfileCurves& curves, bool under);
+  void setRange(const PanelParts& panel, const std::vector<ProfileCurves>& profiles, const ProfileLimits& limits) const;
+  void addLimits(PanelParts& panel, const ProfileLimits& limits);
+  void addTravelLimits(PanelParts& panel, const ProfileLimits& limits);
   void addLimitLine(PanelParts& panel, double value, const QString& words);
   void addReliefLimits(PanelParts& panel, const ProfileLimits& limits);
   void setAxisTitles(double height);
+  [[nodiscard]] double shown(double millimetres) const;
   [[nodiscard]] QColor colorOf(Panel panel) const;
 
   FigureStyle m_style;
-  std::array<PanelParts, kPanelCount> m_panels;
+  std::vector<PanelParts> m_panels; // from top to bottom
   CornerBands* m_bands = nullptr;
   std::vector<CornerBand> m_cornerBands;
   std::optional<double> m_instant;

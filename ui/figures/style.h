@@ -60,6 +60,11 @@ struct FigureStyle {
     return result;
   }
 
+  /// A length (a speed …) given in mm, in the unit of the figure.
+  [[nodiscard]] QString lengthText(double millimetres, int decimals) const {
+    return ui::lengthText(millimetres, decimals, locale, lengths);
+  }
+
   [[nodiscard]] QPen pen(const QColor& color, double width, Qt::PenStyle pattern = Qt::SolidLine) const {
     return {color, width * unit, pattern, Qt::FlatCap, Qt::RoundJoin};
   }

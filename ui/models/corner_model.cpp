@@ -49,7 +49,7 @@ QVariant CornerModel::data(const QModelIndex& index, int role) const {
 QString CornerModel::text(const toolpath::Corner& corner, int column) const {
   const QLocale locale;
   const auto ofTransition = [&](double value, int decimals) {
-    return isTransition(corner) ? fixedText(value, decimals, locale) : QStringLiteral("–");
+    return isTransition(corner) ? fixedLengthText(value, decimals, locale) : QStringLiteral("–");
   };
   switch (column) {
   case Number:
@@ -63,9 +63,10 @@ QString CornerModel::text(const toolpath::Corner& corner, int column) const {
   case Acceleration:
     return ofTransition(corner.blendAcceleration, 2);
   case Time:
-    return ofTransition(corner.blendTime, 2);
+    return isTransition(corner) ? fixedText(corner.blendTime, 2, locale) : QStringLiteral("–");
   case Widest:
-    return corner.kind == toolpath::CornerKind::Concave ? QStringLiteral("–") : fixedText(corner.widest, 2, locale);
+    return corner.kind == toolpath::CornerKind::Concave ? QStringLiteral("–")
+                                                        : fixedLengthText(corner.widest, 2, locale);
   case Relief:
     return reliefText(corner);
   default:
@@ -78,7 +79,7 @@ QString CornerModel::reliefText(const toolpath::Corner& corner) const {
     return QStringLiteral("–");
   }
   const double margin = corner.widest - m_plan->job.recipe.wheelRadius - corner.tipDepth;
-  return (margin < 0 ? QString() : QStringLiteral("+")) + fixedText(margin, 2, QLocale());
+  return (margin < 0 ? QString() : QStringLiteral("+")) + fixedLengthText(margin, 2, QLocale());
 }
 
 QVariant CornerModel::headerData(int section, Qt::Orientation orientation, int role) const {
@@ -93,15 +94,15 @@ QVariant CornerModel::headerData(int section, Qt::Orientation orientation, int r
   case Treatment:
     return tr("Treatment");
   case Speed:
-    return tr("Speed\nmm/s");
+    return inShownUnits(tr("Speed\nmm/s"));
   case Acceleration:
-    return tr("Accel.\nmm/s²");
+    return inShownUnits(tr("Accel.\nmm/s²"));
   case Time:
     return tr("Time\ns");
   case Widest:
-    return tr("Widest\nmm");
+    return inShownUnits(tr("Widest\nmm"));
   case Relief:
-    return tr("Relief\nmm");
+    return inShownUnits(tr("Relief\nmm"));
   default:
     return {};
   }

@@ -1,5 +1,8 @@
 #include "ui/pages/profiles_page.h"
 
+#include "core/files/run_record.h"
+#include "ui/figures/job_sheet.h"
+#include "ui/figures/path_plot.h"
 #include "ui/figures/profile_figure.h"
 #include "ui/figures/profile_plot.h"
 #include "ui/text/problem_texts.h"
@@ -8,9 +11,12 @@
 #include "ui/widgets/signs.h"
 
 #include <QBoxLayout>
+#include <QButtonGroup>
+#include <QDateTime>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
+#include <QStackedWidget>
 #include <QToolButton>
 
 #include <algorithm>
@@ -32,23 +38,25 @@ QString breakable(QString text) {
 
 } // namespace
 
-ProfilesPage::ProfilesPage(Planner& planner, QWidget* parent)
-    : QWidget(parent), m_planner(planner), m_plot(new ProfilePlot(screenStyle(kPlotUnit))), m_values(new InstantValues),
-      m_stateSign(new QLabel), m_state(new QLabel), m_busy(new BusyBar(tr("Reading"))) {
+ProfilesPage::ProfilesPage(Planner& planner, ProfileFiles& files, QWidget* parent)
+    : QWidget(parent), m_planner(planner), m_files(files), m_plan(planner.plan()), m_planned(planner.curves()),
+      m_speeds(new ProfilePlot(screenStyle(kPlotUnit), PlotContent::Speeds)),
+      m_positions(new ProfilePlot(screenStyle(kPlotUnit), PlotContent::Positions)),
+      m_path(new PathPlot(screenStyle(kPlotUnit))), m_plots(new QStackedWidget), m_values(new InstantValues),
+      m_contents(new QButtonGroup(this)), m_stateSign(new QLabel), m_state(new QLabel),
+      m_busy(new BusyBar(tr("Reading"))) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 4, 6, 4);
   layout->setSpacing(4);
-  layout->addWidget(makeButtons());
+  layout->addWidget(makeFileButtons());
+  layout->addWidget(makeViewButtons());
   layout->addWidget(makeTexts());
   layout->addWidget(m_busy);
-  layout->addWidget(m_plot, 1);
+  layout->addWidget(makePlots(), 1);
   connectPlanner();
   connectFiles();
-  connect(m_plot, &ProfilePlot::instantPointed, this, &ProfilesPage::pointAt);
-  connect(m_plot, &ProfilePlot::cornerTapped, this, &ProfilesPage::selectCorner);
-  m_plot->setFocusPolicy(Qt::StrongFocus);
-  m_plan = planner.plan();
-  m_planned = planner.curves();
+  m_openIsRecord = m_files.lastOpened() && files::isRecord(m_files.lastOpened()->file);
+  m_busy->setVisible(m_files.isBusy());
   showProfiles(View::Work);
 }
 
@@ -66,7 +74,7 @@ QToolButton* ProfilesPage::addButton(QBoxLayout& layout, const QString& text, co
   return button;
 }
 
-QWidget* ProfilesPage::makeButtons() {
+QWidget* ProfilesPage::makeFileButtons() {
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -79,25 +87,78 @@ QWidget* ProfilesPage::makeButtons() {
                         [this] { showProfiles(View::Keep); });
   m_overlay->setCheckable(true);
   m_overlay->setChecked(true);
+  layout->addStretch(1);
   QToolButton* save = addButton(*layout, tr("Picture…"), "profilesSave", tr("Save a picture as SVG, PNG or PDF"),
                                 [this] { askForPicture(); });
+  m_saveProfile = addButton(*layout, tr("Profile…"), "profilesSaveProfile", tr("Save the profile as a table (CSV)"),
+                            [this] { askForProfile(); });
+  m_saveSheet =
+      addButton(*layout, tr("Job sheet…"), "profilesSaveSheet",
+                tr("Save drawing, values, corners and times of the job as PDF"), [this] { askForJobSheet(); });
+  m_forProfiles = {save};
+  return row;
+}
+
+void ProfilesPage::addContent(QBoxLayout& layout, Content content, const QString& text, const char* name,
+                              const QString& what) {
+  QToolButton* button = addButton(layout, text, name, what, [this] { showContent(); });
+  button->setCheckable(true);
+  button->setChecked(content == Speeds);
+  m_contents->addButton(button, content);
+}
+
+QWidget* ProfilesPage::makeViewButtons() {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(6);
+  addContent(*layout, Speeds, tr("Speeds"), "profilesSpeeds",
+             tr("Velocities, accelerations and distance to the corner over time"));
+  addContent(*layout, Positions, tr("Positions"), "profilesPositions", tr("X and Y over time"));
+  addContent(*layout, Path, tr("Path"), "profilesPath", tr("The way of the wheel in the plane"));
   layout->addStretch(1);
   QToolButton* previous = addButton(*layout, QStringLiteral("◀"), "profilesPreviousCorner", tr("Previous corner"),
                                     [this] { goToNextCorner(-1); });
   QToolButton* next =
       addButton(*layout, QStringLiteral("▶"), "profilesNextCorner", tr("Next corner"), [this] { goToNextCorner(1); });
   layout->addSpacing(8);
-  QToolButton* out =
-      addButton(*layout, QStringLiteral("−"), "profilesZoomOut", tr("Zoom out"), [this] { m_plot->zoomOut(); });
-  QToolButton* in =
-      addButton(*layout, QStringLiteral("+"), "profilesZoomIn", tr("Zoom in"), [this] { m_plot->zoomIn(); });
-  QToolButton* work = addButton(*layout, tr("Work"), "profilesWork", tr("From the first lead-in to the last lead-out"),
-                                [this] { m_plot->showWork(); });
-  QToolButton* all = addButton(*layout, tr("All"), "profilesAll", tr("From the start of the program to its end"),
-                               [this] { m_plot->showAll(); });
+  const auto addView = [&](const QString& text, const char* name, const QString& what, void (ProfilePlot::*overTime)(),
+                           void (PathPlot::*inPlane)()) {
+    m_forProfiles.push_back(addButton(*layout, text, name, what, [this, overTime, inPlane] {
+      content() == Path ? (m_path->*inPlane)() : (timePlot().*overTime)();
+    }));
+  };
+  addView(QStringLiteral("−"), "profilesZoomOut", tr("Zoom out"), &ProfilePlot::zoomOut, &PathPlot::zoomOut);
+  addView(QStringLiteral("+"), "profilesZoomIn", tr("Zoom in"), &ProfilePlot::zoomIn, &PathPlot::zoomIn);
+  addView(tr("Work"), "profilesWork", tr("From the first lead-in to the last lead-out"), &ProfilePlot::showWork,
+          &PathPlot::showWork);
+  addView(tr("All"), "profilesAll", tr("From the start of the program to its end; of the path: all of the travel"),
+          &ProfilePlot::showAll, &PathPlot::showAll);
   m_forCorners = {previous, next};
-  m_forProfiles = {save, out, in, work, all};
   return row;
+}
+
+QWidget* ProfilesPage::makePlots() {
+  for (ProfilePlot* plot : {m_speeds, m_positions}) {
+    m_plots->addWidget(plot);
+    plot->setFocusPolicy(Qt::StrongFocus);
+    connect(plot, &ProfilePlot::instantPointed, this, &ProfilesPage::pointAt);
+    connect(plot, &ProfilePlot::cornerTapped, this, &ProfilesPage::selectCorner);
+  }
+  m_plots->addWidget(m_path);
+  m_path->setFocusPolicy(Qt::StrongFocus);
+  connect(m_path, &PathPlot::instantPointed, this, &ProfilesPage::pointAt);
+  connect(m_path, &PathPlot::cornerTapped, this, [this](int corner) {
+    const auto pass = std::find_if(m_passes.begin(), m_passes.end(),
+                                   [corner](const CornerPass& candidate) { return candidate.corner == corner; });
+    if (pass != m_passes.end()) {
+      goToPass(static_cast<std::size_t>(pass - m_passes.begin()));
+    }
+  });
+  m_speeds->setObjectName(QStringLiteral("speedsPlot"));
+  m_positions->setObjectName(QStringLiteral("positionsPlot"));
+  m_path->setObjectName(QStringLiteral("pathPlot"));
+  return m_plots;
 }
 
 QWidget* ProfilesPage::makeTexts() {
@@ -130,9 +191,8 @@ void ProfilesPage::connectFiles() {
     m_busy->setVisible(busy);
     showState();
   });
-  connect(&m_files, &ProfileFiles::opened, this, [this](const CurvesPointer& curves, const base::Problems& damage) {
-    m_actual = curves;
-    m_damage = damage;
+  connect(&m_files, &ProfileFiles::opened, this, [this] {
+    m_openIsRecord = files::isRecord(m_files.lastOpened()->file);
     m_instant.reset();
     showProfiles(View::Work);
   });
@@ -155,29 +215,98 @@ void ProfilesPage::showPlan(const PlanPointer& plan) {
   showState();
 }
 
+CurvesPointer ProfilesPage::actual() const {
+  return m_files.lastOpened() ? m_files.lastOpened()->curves : nullptr;
+}
+
+ProfileLimits ProfilesPage::limits() const {
+  return m_planned ? limitsOf(m_plan->job) : ProfileLimits();
+}
+
+ProfilesPage::Content ProfilesPage::content() const {
+  return static_cast<Content>(m_contents->checkedId());
+}
+
+ProfilePlot& ProfilesPage::timePlot() const {
+  return content() == Positions ? *m_positions : *m_speeds;
+}
+
 void ProfilesPage::showProfiles(View view) {
   const std::vector<CornerPass> before = m_passes;
   m_shown.clear();
-  if (m_planned && (!m_actual || m_overlay->isChecked())) {
+  const CurvesPointer opened = actual();
+  if (m_planned && (!opened || m_overlay->isChecked())) {
     m_shown.push_back(*m_planned);
     m_shown.back().name = tr("Plan");
   }
-  if (m_actual) {
-    m_shown.push_back(*m_actual);
+  if (opened) {
+    m_shown.push_back(*opened);
   }
-  m_plot->setProfiles(m_shown, m_planned ? limitsOf(m_plan->job) : ProfileLimits(), view == View::Keep);
   m_passes = m_shown.empty() ? std::vector<CornerPass>() : cornerPasses(m_shown.front());
   const bool same = std::equal(m_passes.begin(), m_passes.end(), before.begin(), before.end(),
                                [](const CornerPass& a, const CornerPass& b) { return a.corner == b.corner; });
-  if (!same || view == View::Work) {
+  const bool anew = !same || view == View::Work;
+  if (anew) {
     m_pass.reset();
-    m_plot->selectCorner(0);
+  }
+  m_stale.fill(true);
+  for (bool& each : m_anew) {
+    each = each || view == View::Work;
+  }
+  feed();
+  if (anew) {
+    m_speeds->selectCorner(0);
+    m_positions->selectCorner(0);
+    m_path->selectCorner(0);
   }
   pointAt(m_shown.empty() ? std::nullopt : m_instant);
   showState();
 }
 
+void ProfilesPage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  feed();
+}
+
+// Only the plot that is seen, and only while it is: profiles are long, and plans change with every value.
+void ProfilesPage::feed() {
+  const Content now = content();
+  if (isVisible() && m_stale.at(now)) {
+    feedPlot(now, !m_anew.at(now));
+    m_stale.at(now) = m_anew.at(now) = false;
+  }
+}
+
+void ProfilesPage::feedPlot(Content content, bool keepView) {
+  if (content != Path) {
+    timePlot().setProfiles(m_shown, limits(), keepView);
+    return;
+  }
+  m_path->setProfiles(m_shown, m_planned ? pathSettingOf(m_plan->job) : PathSetting(), limits().wheelRadius, keepView);
+}
+
+// The time that was shown stays, and the corner.
+void ProfilesPage::showContent() {
+  const Content now = content();
+  const std::pair<double, double> times = (m_before == Positions ? m_positions : m_speeds)->shownTimes();
+  const bool wasFresh = m_anew.at(now);
+  m_plots->setCurrentIndex(now);
+  feed();
+  if (now != Path && m_before != Path && now != m_before) {
+    timePlot().showTimes(times.first, times.second);
+  } else if (now != m_before && wasFresh && m_pass) {
+    goToPass(*m_pass);
+  }
+  if (now != m_before) {
+    static constexpr std::array kPlaces{Panel::PositionX, Panel::PositionY, Panel::Speed, Panel::Distance};
+    m_values->setPanels(now == Speeds ? panelsOf(PlotContent::Speeds) : std::span<const Panel>(kPlaces));
+  }
+  m_before = now;
+  pointAt(m_instant);
+}
+
 void ProfilesPage::showState() {
+  const CurvesPointer opened = actual();
   std::optional<base::Severity> sign;
   if (m_problem) {
     m_state->setText(
@@ -187,13 +316,13 @@ void ProfilesPage::showState() {
     m_state->setText(tr("Reading or writing…"));
   } else if (m_saved) {
     m_state->setText(tr("Saved: %1").arg(nameOfFile(*m_saved)));
-  } else if (m_actual && !m_damage.empty()) {
-    m_state->setText(breakable(problemText(m_damage.front(), QLocale())));
+  } else if (opened && !m_files.lastOpened()->damage.empty()) {
+    m_state->setText(breakable(problemText(m_files.lastOpened()->damage.front(), QLocale())));
     sign = base::Severity::Warning;
   } else if (m_shown.size() > 1) {
-    m_state->setText(tr("%1, drawn thin over the plan, which is wide and pale").arg(m_actual->name));
-  } else if (m_actual) {
-    m_state->setText(m_actual->name);
+    m_state->setText(tr("%1, drawn thin over the plan, which is wide and pale").arg(opened->name));
+  } else if (opened) {
+    m_state->setText(opened->name);
   } else if (m_planned) {
     m_state->setText(tr("Planned: %1").arg(nameOfFile(m_plan->import->file)));
   } else if (m_planner.isBusy()) {
@@ -204,8 +333,15 @@ void ProfilesPage::showState() {
     m_state->setText(tr("No pattern is open. Profiles and records of runs can be opened all the same."));
   }
   m_stateSign->setPixmap(sign ? signIcon(*sign).pixmap(kProfileSignSize) : QPixmap());
-  m_back->setEnabled(m_actual || m_files.isBusy());
-  m_overlay->setEnabled(m_actual && m_planned);
+  showEnabled();
+}
+
+void ProfilesPage::showEnabled() {
+  const bool isOpen = actual() != nullptr;
+  m_back->setEnabled(isOpen || m_files.isBusy());
+  m_overlay->setEnabled(isOpen && m_planned);
+  m_saveProfile->setEnabled(m_openIsRecord || m_planned);
+  m_saveSheet->setEnabled(m_plan != nullptr);
   for (QToolButton* button : m_forProfiles) {
     button->setEnabled(!m_shown.empty());
   }
@@ -223,24 +359,58 @@ void ProfilesPage::openFile(const std::filesystem::path& file) {
 }
 
 void ProfilesPage::showPlanned() {
-  m_files.abandon();
+  m_files.close();
+  m_openIsRecord = false;
   m_problem.reset();
   m_saved.reset();
-  m_actual.reset();
-  m_damage.clear();
   showProfiles(View::Work);
 }
 
-void ProfilesPage::savePicture(const std::filesystem::path& file) {
+void ProfilesPage::beginSaving() {
   m_problem.reset();
   m_saved.reset();
-  const QString pattern = m_plan ? nameOfFile(m_plan->import->file) : QString();
-  const Figure figure = profileFigure(m_shown, m_planned ? limitsOf(m_plan->job) : ProfileLimits(),
-                                      m_actual ? m_actual->name : pattern, {});
-  if (const auto bytes = encodedFor(figure, file)) {
+}
+
+// What is seen, on paper.
+Figure ProfilesPage::picture() const {
+  const CurvesPointer opened = actual();
+  const QString heading = opened ? opened->name : m_plan ? nameOfFile(m_plan->import->file) : QString();
+  const QString values = m_planned ? profileSubheading(m_plan->job) : QString();
+  const std::optional<CornerPass> pass = m_pass ? std::optional(m_passes.at(*m_pass)) : std::nullopt;
+  if (content() == Path) {
+    const PathSetting setting = m_planned ? pathSettingOf(m_plan->job) : PathSetting();
+    return pathFigure(m_shown, setting, heading, values, {m_path->shownBox(), pass, m_instant, limits().wheelRadius});
+  }
+  const PlotContent panels = content() == Positions ? PlotContent::Positions : PlotContent::Speeds;
+  return profileFigure(m_shown, limits(), heading, values, {panels, timePlot().shownTimes(), pass ? pass->corner : 0});
+}
+
+void ProfilesPage::savePicture(const std::filesystem::path& file) {
+  beginSaving();
+  if (const auto bytes = encodedFor(picture(), file)) {
     m_files.save(file, *bytes);
   } else {
     tellProblem(bytes.error());
+  }
+}
+
+void ProfilesPage::saveProfile(const std::filesystem::path& file) {
+  beginSaving();
+  if (m_openIsRecord) {
+    m_files.exportRecord(m_files.lastOpened()->file, file);
+  } else if (m_planned) {
+    m_files.exportPlanned(m_plan, file);
+  }
+}
+
+void ProfilesPage::saveJobSheet(const std::filesystem::path& file) {
+  beginSaving();
+  if (m_plan) {
+    const QLocale locale;
+    const QString date = locale.toString(QDateTime::currentDateTime(), QLocale::ShortFormat);
+    m_files.save(file, [plan = m_plan, date, locale] {
+      return encodedPdf(jobSheet(plan->job, plan->drawing, nameOfFile(plan->import->file), date, locale));
+    });
   }
 }
 
@@ -257,15 +427,40 @@ void ProfilesPage::askForFile() {
   }
 }
 
-void ProfilesPage::askForPicture() {
-  QFileDialog dialog(this, tr("Save picture"), m_folder);
+std::optional<std::filesystem::path> ProfilesPage::askWhere(const QString& title, const QStringList& filters) {
+  const auto endingOf = [](const QString& filter) { return filter.section(QLatin1Char('.'), -1).chopped(1); };
+  QFileDialog dialog(this, title, m_folder);
   dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setNameFilters({QStringLiteral("SVG (*.svg)"), QStringLiteral("PNG (*.png)"), QStringLiteral("PDF (*.pdf)")});
-  dialog.setDefaultSuffix(QStringLiteral("svg"));
+  dialog.setNameFilters(filters);
+  dialog.setDefaultSuffix(endingOf(filters.front()));
   connect(&dialog, &QFileDialog::filterSelected, &dialog,
-          [&dialog](const QString& filter) { dialog.setDefaultSuffix(filter.left(3).toLower()); });
-  if (dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty()) {
-    savePicture(dialog.selectedFiles().front().toStdString());
+          [&dialog, endingOf](const QString& filter) { dialog.setDefaultSuffix(endingOf(filter)); });
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) {
+    return std::nullopt;
+  }
+  m_folder = dialog.directory().absolutePath();
+  return dialog.selectedFiles().front().toStdString();
+}
+
+void ProfilesPage::askForPicture() {
+  const auto file = askWhere(tr("Save picture"), {QStringLiteral("SVG (*.svg)"), QStringLiteral("PNG (*.png)"),
+                                                  QStringLiteral("PDF (*.pdf)")});
+  if (file) {
+    savePicture(*file);
+  }
+}
+
+void ProfilesPage::askForProfile() {
+  const QString title =
+      m_openIsRecord ? tr("Save the profile of the run %1").arg(actual()->name) : tr("Save the planned profile");
+  if (const auto file = askWhere(title, {QStringLiteral("CSV (*.csv)")})) {
+    saveProfile(*file);
+  }
+}
+
+void ProfilesPage::askForJobSheet() {
+  if (const auto file = askWhere(tr("Save job sheet"), {QStringLiteral("PDF (*.pdf)")})) {
+    saveJobSheet(*file);
   }
 }
 
@@ -291,8 +486,11 @@ void ProfilesPage::goToPass(std::size_t at) {
     }
   }
   m_pass = at;
-  m_plot->selectCorner(pass.corner);
-  m_plot->showTimes(from - kRoomAtCorner * (to - from), to + kRoomAtCorner * (to - from));
+  for (ProfilePlot* plot : {m_speeds, m_positions}) {
+    plot->selectCorner(pass.corner);
+    plot->showTimes(from - kRoomAtCorner * (to - from), to + kRoomAtCorner * (to - from));
+  }
+  m_path->showPass(pass);
   pointAt(pass.middle);
 }
 
@@ -303,13 +501,17 @@ void ProfilesPage::selectCorner(int corner) {
   });
   if (pass != m_passes.end()) {
     m_pass = static_cast<std::size_t>(pass - m_passes.begin());
-    m_plot->selectCorner(corner);
+    m_speeds->selectCorner(corner);
+    m_positions->selectCorner(corner);
+    m_path->selectCorner(corner);
   }
 }
 
 void ProfilesPage::pointAt(std::optional<double> time) {
   m_instant = time;
-  m_plot->markInstant(time);
+  m_speeds->markInstant(time);
+  m_positions->markInstant(time);
+  m_path->markInstant(time);
   m_values->showValues(m_shown, time);
 }
 

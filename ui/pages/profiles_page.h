@@ -1,32 +1,39 @@
 #pragma once
 
+#include "ui/figures/figure.h"
+#include "ui/figures/profile_path.h"
 #include "ui/presenters/planner.h"
 #include "ui/presenters/profile_files.h"
 
 #include <QWidget>
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <vector>
 
 class QBoxLayout;
+class QButtonGroup;
 class QLabel;
+class QStackedWidget;
 class QToolButton;
 
 namespace arris::ui {
 
 class BusyBar;
 class InstantValues;
+class PathPlot;
 class ProfilePlot;
 
-/// The profile of the planned job, or an exported profile or the record of a run over it: velocities, accelerations and
-/// the distance to the corner over time, with the values at the time that is pointed at.
+/// The profile of the planned job, or an exported profile or the record of a run over it, with the values at the time
+/// that is pointed at: velocities, accelerations and the distance to the corner over time, or the positions, or the
+/// path in the plane.
 class ProfilesPage : public QWidget {
   Q_OBJECT
 
 public:
-  explicit ProfilesPage(Planner& planner, QWidget* parent = nullptr);
+  ProfilesPage(Planner& planner, ProfileFiles& files, QWidget* parent = nullptr);
 
   /// Shows an exported profile (CSV) or the record of a run. Where it cannot be read, what is shown stays and the
   /// reason is told.
@@ -35,48 +42,83 @@ public:
   /// What is shown as a picture, in the format of the file's ending: SVG, PNG or PDF.
   void savePicture(const std::filesystem::path& file);
 
+  /// The profile of the run whose record is open, else the planned one, as CSV.
+  void saveProfile(const std::filesystem::path& file);
+
+  /// The job sheet of the plan, PDF.
+  void saveJobSheet(const std::filesystem::path& file);
+
   [[nodiscard]] bool isBusy() const {
     return m_files.isBusy();
   }
 
+protected:
+  void showEvent(QShowEvent* event) override;
+
 private:
   enum class View { Keep, Work };
 
-  QWidget* makeButtons();
+  enum Content { Speeds, Positions, Path, ContentCount };
+
+  QWidget* makeFileButtons();
+  QWidget* makeViewButtons();
   QWidget* makeTexts();
+  QWidget* makePlots();
   QToolButton* addButton(QBoxLayout& layout, const QString& text, const char* name, const QString& what,
                          const std::function<void()>& act);
+  void addContent(QBoxLayout& layout, Content content, const QString& text, const char* name, const QString& what);
   void connectPlanner();
   void connectFiles();
   void showPlan(const PlanPointer& plan);
   void showProfiles(View view);
+  void showContent();
+  void feed();
+  void feedPlot(Content content, bool keepView);
   void showState();
+  void showEnabled();
   void showPlanned();
   void askForFile();
+  std::optional<std::filesystem::path> askWhere(const QString& title, const QStringList& filters);
   void askForPicture();
+  void askForProfile();
+  void askForJobSheet();
   void goToNextCorner(int step);
   void goToPass(std::size_t at);
   void selectCorner(int corner);
   void pointAt(std::optional<double> time);
+  void beginSaving();
   void tellProblem(const base::Problem& problem);
+  [[nodiscard]] Content content() const;
+  [[nodiscard]] ProfilePlot& timePlot() const; ///< of the content, where it is over time
+  [[nodiscard]] CurvesPointer actual() const;  ///< of the open file; null without one
+  [[nodiscard]] ProfileLimits limits() const;
+  [[nodiscard]] Figure picture() const;
 
   Planner& m_planner;
-  ProfileFiles m_files;
+  ProfileFiles& m_files;
   PlanPointer m_plan;
   CurvesPointer m_planned; ///< of the plan; null until it is there, and where the plan cannot be ground
-  CurvesPointer m_actual;  ///< of the open file; null without one
-  base::Problems m_damage; ///< of the open file
   std::vector<ProfileCurves> m_shown;
   std::vector<CornerPass> m_passes; ///< of what is shown first
   std::optional<std::size_t> m_pass;
   std::optional<double> m_instant;
   std::optional<base::Problem> m_problem;
   std::optional<std::filesystem::path> m_saved;
+  bool m_openIsRecord = false;
+  std::array<bool, ContentCount> m_stale{}; ///< plots that do not show yet what is shown
+  std::array<bool, ContentCount> m_anew{};  ///< and are to show all of it
+  Content m_before = Speeds;                ///< the content that was shown last
   QString m_folder;
-  ProfilePlot* m_plot;
+  ProfilePlot* m_speeds;
+  ProfilePlot* m_positions;
+  PathPlot* m_path;
+  QStackedWidget* m_plots;
   InstantValues* m_values;
+  QButtonGroup* m_contents;
   QToolButton* m_back = nullptr;
   QToolButton* m_overlay = nullptr;
+  QToolButton* m_saveProfile = nullptr;
+  QToolButton* m_saveSheet = nullptr;
   QLabel* m_stateSign;
   QLabel* m_state;
   BusyBar* m_busy;

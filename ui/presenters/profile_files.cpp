@@ -1,8 +1,9 @@
 #include "ui/presenters/profile_files.h"
 
+#include "core/files/profile_csv.h"
+#include "core/files/run_record.h"
 #include "core/files/whole_file.h"
 
-#include <string_view>
 #include <utility>
 
 namespace arris::ui {
@@ -13,6 +14,7 @@ ProfileFiles::ProfileFiles(ReadProfileFile read, QObject* parent) : QObject(pare
 
 ProfileFiles::~ProfileFiles() {
   abandon();
+  m_ends = true;
   m_pool.waitForDone();
 }
 
@@ -24,10 +26,47 @@ void ProfileFiles::abandon() {
   ++m_latest;
 }
 
+void ProfileFiles::close() {
+  abandon();
+  m_opened.reset();
+}
+
 void ProfileFiles::save(const std::filesystem::path& file, const QByteArray& bytes) {
-  start([this, file, bytes] {
-    const std::string_view text(bytes.constData(), static_cast<std::size_t>(bytes.size()));
-    if (const auto written = files::writeWholeFile(file, text); !written) {
+  save(file, [bytes] { return bytes; });
+}
+
+void ProfileFiles::save(const std::filesystem::path& file, std::function<QByteArray()> make) {
+  write(file, [file, make = std::move(make)] { return files::writeWholeFile(file, make().toStdString()); });
+}
+
+void ProfileFiles::exportPlanned(const PlanPointer& plan, const std::filesystem::path& file) {
+  write(file, [this, plan, file] {
+    return files::writeWholeFile(file, [&](files::Output& output) {
+      files::writeProfile(plan->job, output, [&](double /*share*/) {
+        if (m_ends) {
+          output.abandon();
+        }
+      });
+    });
+  });
+}
+
+void ProfileFiles::exportRecord(const std::filesystem::path& record, const std::filesystem::path& file) {
+  write(file, [record, file]() -> base::Expected<void> {
+    base::Expected<void> read;
+    auto written = files::writeWholeFile(file, [&](files::Output& output) {
+      if (const auto result = files::writeProfile(record, output); !result) {
+        read = tl::unexpected(result.error());
+        output.abandon();
+      }
+    });
+    return read ? written : read;
+  });
+}
+
+void ProfileFiles::write(const std::filesystem::path& file, const std::function<base::Expected<void>()>& produce) {
+  start([this, file, produce] {
+    if (const auto written = produce(); !written) {
       deliver([this, problem = written.error()] { Q_EMIT failed(problem); });
     } else {
       deliver([this, file] { Q_EMIT saved(file); });
@@ -65,8 +104,9 @@ void ProfileFiles::read(quint64 number, const std::filesystem::path& file) {
     return;
   }
   auto curves = std::make_shared<const ProfileCurves>(*std::move(reading.curves));
-  deliver([this, wanted, curves, damage = std::move(reading.damage)] {
+  deliver([this, wanted, file, curves, damage = std::move(reading.damage)] {
     if (wanted()) {
+      m_opened = OpenedProfile{file, curves, damage};
       Q_EMIT opened(curves, damage);
     }
   });

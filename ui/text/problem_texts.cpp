@@ -30,11 +30,11 @@ QString wordsText(const QString& words) {
 }
 
 // A figure as the table's own function writes it, up to six significant digits, but in the operator's numbers.
-QString valueText(const base::Value& value, QLocale locale) {
+QString valueText(const base::Value& value, QLocale locale, LengthUnit unit) {
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
   if (const auto* number = std::get_if<double>(&value.value)) {
     const bool isLength = QString::fromStdString(value.name).endsWith(QLatin1String("_mm"));
-    return locale.toString(isLength ? shownLength(*number) : *number, 'g', kValueDigits);
+    return locale.toString(isLength ? shownLength(*number, unit) : *number, 'g', kValueDigits);
   }
   if (const auto* count = std::get_if<std::int64_t>(&value.value)) {
     return locale.toString(static_cast<qlonglong>(*count));
@@ -291,9 +291,9 @@ const std::vector<const char*>& problemWords() {
   return kWords;
 }
 
-QString problemText(const base::Problem& problem, const QLocale& locale) {
+QString problemText(const base::Problem& problem, const QLocale& locale, LengthUnit unit) {
   const auto row = static_cast<std::size_t>(problem.code);
-  const QString text = inShownUnits(QCoreApplication::translate("Problem", problemTemplates().at(row)));
+  const QString text = inShownUnits(QCoreApplication::translate("Problem", problemTemplates().at(row)), unit);
   QString result;
   qsizetype done = 0;
   for (qsizetype open = text.indexOf('{'); open >= 0; open = text.indexOf('{', open + 1)) {
@@ -302,16 +302,16 @@ QString problemText(const base::Problem& problem, const QLocale& locale) {
     const auto value = std::find_if(problem.values.begin(), problem.values.end(),
                                     [&](const base::Value& candidate) { return candidate.name == name; });
     if (close > open && value != problem.values.end()) {
-      result += text.mid(done, open - done) + valueText(*value, locale);
+      result += text.mid(done, open - done) + valueText(*value, locale, unit);
       done = close + 1;
     }
   }
   return result + text.mid(done);
 }
 
-QString placeText(const base::Problem& problem, const QLocale& locale) {
-  const QString x = problem.where ? fixedLengthText(problem.where->x(), 1, locale) : QString();
-  const QString y = problem.where ? fixedLengthText(problem.where->y(), 1, locale) : QString();
+QString placeText(const base::Problem& problem, const QLocale& locale, LengthUnit unit) {
+  const QString x = problem.where ? fixedLengthText(problem.where->x(), 1, locale, unit) : QString();
+  const QString y = problem.where ? fixedLengthText(problem.where->y(), 1, locale, unit) : QString();
   QString text;
   if (problem.line && problem.where) {
     text = QCoreApplication::translate("Problem", "(line %1 of the file, at X %2, Y %3 mm)")
@@ -321,7 +321,7 @@ QString placeText(const base::Problem& problem, const QLocale& locale) {
   } else if (problem.where) {
     text = QCoreApplication::translate("Problem", "(at X %1, Y %2 mm)").arg(x, y);
   }
-  return inShownUnits(text).replace(QLatin1Char(' '), QChar::Nbsp);
+  return inShownUnits(text, unit).replace(QLatin1Char(' '), QChar::Nbsp);
 }
 
 QString severityText(base::Severity severity) {

@@ -17,8 +17,8 @@ LengthUnit& shownUnit() {
   return unit;
 }
 
-int shownDecimals(int decimals) {
-  return lengthUnit() == LengthUnit::Inch ? decimals + 1 : decimals;
+int shownDecimals(int decimals, LengthUnit unit) {
+  return unit == LengthUnit::Inch ? decimals + 1 : decimals;
 }
 
 QLocale withoutGroups(QLocale locale) {
@@ -57,25 +57,25 @@ LengthUnit lengthUnit() {
   return shownUnit();
 }
 
-double shownLength(double millimetres) {
-  return lengthUnit() == LengthUnit::Inch ? millimetres / kInch : millimetres;
+double shownLength(double millimetres, LengthUnit unit) {
+  return unit == LengthUnit::Inch ? millimetres / kInch : millimetres;
 }
 
 double lengthFromShown(double shown) {
   return lengthUnit() == LengthUnit::Inch ? shown * kInch : shown;
 }
 
-QString lengthText(double millimetres, int decimals, const QLocale& locale) {
-  return numberText(shownLength(millimetres), shownDecimals(decimals), locale);
+QString lengthText(double millimetres, int decimals, const QLocale& locale, LengthUnit unit) {
+  return numberText(shownLength(millimetres, unit), shownDecimals(decimals, unit), locale);
 }
 
-QString fixedLengthText(double millimetres, int decimals, const QLocale& locale) {
-  return fixedText(shownLength(millimetres), shownDecimals(decimals), locale);
+QString fixedLengthText(double millimetres, int decimals, const QLocale& locale, LengthUnit unit) {
+  return fixedText(shownLength(millimetres, unit), shownDecimals(decimals, unit), locale);
 }
 
-QString inShownUnits(QString text) {
+QString inShownUnits(QString text, LengthUnit unit) {
   static const QRegularExpression kMillimetre(QStringLiteral("\\bmm(?=\\b|²)"));
-  return lengthUnit() == LengthUnit::Inch ? text.replace(kMillimetre, QStringLiteral("in")) : text;
+  return unit == LengthUnit::Inch ? text.replace(kMillimetre, QStringLiteral("in")) : text;
 }
 
 QString angleText(double radians, const QLocale& locale) {

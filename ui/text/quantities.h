@@ -20,15 +20,17 @@ void showLengthsIn(LengthUnit unit);
 [[nodiscard]] LengthUnit lengthUnit();
 
 /// A length in mm (a speed in mm/s …) as the number that is shown, and back.
-[[nodiscard]] double shownLength(double millimetres);
+[[nodiscard]] double shownLength(double millimetres, LengthUnit unit = lengthUnit());
 [[nodiscard]] double lengthFromShown(double shown);
 
 /// As `numberText` and `fixedText` for a length in mm (a speed …): in inches with one decimal more.
-[[nodiscard]] QString lengthText(double millimetres, int decimals, const QLocale& locale);
-[[nodiscard]] QString fixedLengthText(double millimetres, int decimals, const QLocale& locale);
+[[nodiscard]] QString lengthText(double millimetres, int decimals, const QLocale& locale,
+                                 LengthUnit unit = lengthUnit());
+[[nodiscard]] QString fixedLengthText(double millimetres, int decimals, const QLocale& locale,
+                                      LengthUnit unit = lengthUnit());
 
 /// A text that names millimetres, for its units as shown: "%1 mm/s" becomes "%1 in/s".
-[[nodiscard]] QString inShownUnits(QString text);
+[[nodiscard]] QString inShownUnits(QString text, LengthUnit unit = lengthUnit());
 
 /// An angle given in rad: "60°", "89.5°".
 [[nodiscard]] QString angleText(double radians, const QLocale& locale);

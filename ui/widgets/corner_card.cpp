@@ -1,20 +1,25 @@
 #include "ui/widgets/corner_card.h"
 
+#include "ui/figures/profile_plot.h"
+#include "ui/figures/relief_plot.h"
 #include "ui/text/job_texts.h"
 #include "ui/text/quantities.h"
 
 #include <QLabel>
+#include <QResizeEvent>
 #include <QVBoxLayout>
 
 namespace arris::ui {
 namespace {
 
-constexpr int kFiguresHeight = 14; // px
+constexpr int kFiguresHeight = 14;   // px
+constexpr int kPlotBesideFrom = 600; // px
 
 } // namespace
 
 CornerCard::CornerCard(QWidget* parent)
-    : QWidget(parent), m_title(new QLabel), m_reason(new QLabel), m_figures(new QLabel) {
+    : QWidget(parent), m_title(new QLabel), m_reason(new QLabel), m_figures(new QLabel),
+      m_relief(new ReliefPlot(screenStyle(kPlotUnit))), m_beside(new QBoxLayout(QBoxLayout::TopToBottom)) {
   QFont bold = font();
   bold.setBold(true);
   m_title->setFont(bold);
@@ -32,9 +37,16 @@ CornerCard::CornerCard(QWidget* parent)
   layout->setContentsMargins(10, 6, 10, 6);
   layout->setSpacing(4);
   layout->addWidget(m_title);
-  layout->addWidget(m_reason);
-  layout->addWidget(m_figures);
-  layout->addStretch(1);
+  m_relief->setObjectName(QStringLiteral("cornerRelief"));
+  m_relief->setAccessibleName(tr("Distance between wheel and corner over time"));
+  auto* words = new QVBoxLayout;
+  words->setSpacing(4);
+  words->addWidget(m_reason);
+  words->addWidget(m_figures);
+  words->addStretch(1);
+  m_beside->addLayout(words, 1);
+  m_beside->addWidget(m_relief, 1);
+  layout->addLayout(m_beside, 1);
   show({}, 0);
 }
 
@@ -44,10 +56,13 @@ void CornerCard::show(const PlanPointer& plan, int corner) {
   m_reason->setVisible(known);
   m_figures->setVisible(known);
   if (!known) {
+    m_relief->hide();
     m_title->setText(corners > 0 ? tr("Tap a corner to see its figures.") : tr("No corners."));
     return;
   }
   const toolpath::Corner& c = plan->job.toolpath.corners[static_cast<std::size_t>(corner - 1)];
+  const bool isTransition = c.treatment == toolpath::Treatment::Transition;
+  m_relief->setVisible(isTransition);
   QString title =
       tr("Corner %1: %2, %3").arg(QString::number(c.id), angleText(c.angle, QLocale()), treatmentText(c.treatment));
   if (plan->job.contours.size() > 1) {
@@ -57,21 +72,31 @@ void CornerCard::show(const PlanPointer& plan, int corner) {
   m_reason->setText(reasonText(c.reason));
   QString table = QStringLiteral("<table cellspacing='0' cellpadding='1'>");
   for (const Row& row : rowsOf(plan->job, c)) {
-    table += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>").arg(row.symbol, row.value);
+    table += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>").arg(row.symbol, inShownUnits(row.value));
   }
   m_figures->setText(table + QStringLiteral("</table>"));
+  if (isTransition) {
+    m_relief->showCorner(c, plan->job.recipe.wheelRadius);
+  }
+}
+
+void CornerCard::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const bool beside = event->size().width() >= kPlotBesideFrom;
+  m_beside->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 
 std::vector<CornerCard::Row> CornerCard::rowsOf(const job::Job& job, const toolpath::Corner& corner) {
   const QLocale locale;
-  const auto number = [&](double value, int decimals) { return fixedText(value, decimals, locale); };
+  const auto number = [&](double value, int decimals) { return fixedLengthText(value, decimals, locale); };
+  const auto seconds = [&](double value) { return fixedText(value, 3, locale); };
   std::vector<Row> rows;
   if (corner.treatment == toolpath::Treatment::Transition) {
     rows = {
         {tr("Speed v<sub>trans</sub>"),
          tr("%1 mm/s, %2").arg(number(corner.transitionSpeed, 2), limitedByText(corner.limitedBy))},
         {tr("Blending a, t<sub>m</sub>"),
-         tr("%1 mm/s², %2 s").arg(number(corner.blendAcceleration, 4), number(corner.blendTime, 3))},
+         tr("%1 mm/s², %2 s").arg(number(corner.blendAcceleration, 4), seconds(corner.blendTime))},
         {tr("Widest, leg ℓ"), tr("%1, %2 mm").arg(number(corner.widest, 3), number(corner.leg, 3))},
         {tr("Relief"), (corner.relief ? tr("yes: lifts %1, needs %2 mm") : tr("no: lifts %1, needs %2 mm"))
                            .arg(number(corner.widest - job.recipe.wheelRadius, 3), number(corner.tipDepth, 3))},
@@ -87,7 +112,7 @@ std::vector<CornerCard::Row> CornerCard::rowsOf(const job::Job& job, const toolp
     const job::CornerResult& result = job.cornerResults[index];
     if (corner.treatment != toolpath::Treatment::Stop) { // a stop has neither speed nor time
       rows.push_back(
-          {tr("Planned"), tr("%1 mm/s, %2 s").arg(number(result.plannedSpeed, 2), number(result.plannedTime, 3))});
+          {tr("Planned"), tr("%1 mm/s, %2 s").arg(number(result.plannedSpeed, 2), seconds(result.plannedTime))});
     }
     rows.push_back({tr("Slowing L<sub>d</sub>, L<sub>a</sub>"),
                     tr("%1, %2 mm").arg(number(result.decelerationLength, 2), number(result.accelerationLength, 2))});

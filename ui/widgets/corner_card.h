@@ -4,12 +4,14 @@
 
 #include <QWidget>
 
-class QFormLayout;
+class QBoxLayout;
 class QLabel;
 
 namespace arris::ui {
 
-/// The figures of one corner and why it is treated as it is.
+class ReliefPlot;
+
+/// The figures of one corner, why it is treated as it is, and how far the wheel lifts off its tip over time.
 class CornerCard : public QWidget {
   Q_OBJECT
 
@@ -18,6 +20,9 @@ public:
 
   /// 0, or a corner that the plan does not have: says how to choose one.
   void show(const PlanPointer& plan, int corner);
+
+protected:
+  void resizeEvent(QResizeEvent* event) override;
 
 private:
   struct Row {
@@ -30,6 +35,8 @@ private:
   QLabel* m_title;
   QLabel* m_reason;
   QLabel* m_figures;
+  ReliefPlot* m_relief;
+  QBoxLayout* m_beside; // the plot stands beside the figures where there is room, else below
 };
 
 } // namespace arris::ui

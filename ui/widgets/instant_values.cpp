@@ -17,7 +17,7 @@ constexpr int kColumnGap = 8;
 constexpr int kNameRoom = 4;
 
 QString panelValueText(double value) {
-  return std::isfinite(value) ? fixedText(value, 2, QLocale()) : QStringLiteral("–");
+  return std::isfinite(value) ? fixedLengthText(value, 2, QLocale()) : QStringLiteral("–");
 }
 
 } // namespace
@@ -32,20 +32,29 @@ InstantValues::InstantValues(QWidget* parent) : QWidget(parent) {
   m_time = addLabel(0, 0, QStringLiteral("instant"));
   m_time->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   m_time->setFixedWidth(nameWidth);
-  for (int column = 1; column <= kPanelCount; ++column) {
+  for (int column = 1; column <= static_cast<int>(kMostValues); ++column) {
     grid->setColumnMinimumWidth(column, metrics.horizontalAdvance(QStringLiteral("−0000.00")));
-    const auto panel = static_cast<Panel>(column - 1);
-    addLabel(0, column, {})->setText(ProfilePlot::axisTitle(panel, false));
+    m_heads.at(static_cast<std::size_t>(column - 1)) = addLabel(0, column, {});
   }
   for (int i = 0; i < static_cast<int>(kMostProfiles); ++i) {
     Row& row = m_rows.at(static_cast<std::size_t>(i));
     row.name = addLabel(i + 1, 0, {});
     row.name->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     row.name->setFixedWidth(nameWidth);
-    for (int column = 1; column <= kPanelCount; ++column) {
+    for (int column = 1; column <= static_cast<int>(kMostValues); ++column) {
       const auto at = static_cast<std::size_t>(column - 1);
       row.values.at(at) = addLabel(i + 1, column, QStringLiteral("value_%1_%2").arg(i).arg(column - 1));
     }
+  }
+  setPanels(panelsOf(PlotContent::Speeds));
+}
+
+// What is not there leaves its place: a line above and one for the unit.
+void InstantValues::setPanels(std::span<const Panel> panels) {
+  m_panels.assign(panels.begin(), panels.end());
+  for (std::size_t i = 0; i < kMostValues; ++i) {
+    m_heads.at(i)->setText(i < panels.size() ? ProfilePlot::axisTitle(panels[i], false, lengthUnit())
+                                             : QStringLiteral(" \n "));
   }
 }
 
@@ -64,14 +73,14 @@ void InstantValues::showValues(const std::vector<ProfileCurves>& profiles, std::
   }
 }
 
-void InstantValues::showRow(const Row& row, const ProfileCurves& curves, std::optional<double> time) {
+void InstantValues::showRow(const Row& row, const ProfileCurves& curves, std::optional<double> time) const {
   const bool known = time && !curves.panels.front().isEmpty();
   const QString name = row.name->fontMetrics().elidedText(curves.name, Qt::ElideMiddle, row.name->width() - kNameRoom);
   row.name->setText(known ? name : QStringLiteral(" "));
-  for (int i = 0; i < kPanelCount; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const double value = known ? curveValue(curves.panels.at(at), *time) : 0;
-    row.values.at(at)->setText(known ? panelValueText(value) : QStringLiteral(" "));
+  for (std::size_t i = 0; i < kMostValues; ++i) {
+    const bool isShown = known && i < m_panels.size();
+    const double value = isShown ? curveValue(curveOf(curves, m_panels[i]), *time) : 0;
+    row.values.at(i)->setText(isShown ? panelValueText(value) : QStringLiteral(" "));
   }
 }
 

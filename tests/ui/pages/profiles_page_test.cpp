@@ -20,11 +20,11 @@
 namespace arris::ui {
 namespace {
 
-constexpr QSize kSmallestPage(1024, 700);
+constexpr QSize kSmallestPage(904, 620);
 
 class Profiles : public testing::Test {
 protected:
-  Profiles() : m_planner({}, test::paneSteps()), m_page(m_planner) {
+  Profiles() : m_planner({}, test::paneSteps()), m_page(m_planner, m_files) {
     m_page.resize(kSmallestPage);
     m_page.show();
   }
@@ -95,6 +95,7 @@ protected:
 
   test::Scratch m_scratch;
   Planner m_planner;
+  ProfileFiles m_files;
   ProfilesPage m_page;
 };
 
