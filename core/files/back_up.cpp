@@ -6,6 +6,7 @@
 #include "core/files/json_members.h"
 #include "core/files/record_folder.h"
 #include "core/files/run_record.h"
+#include "core/files/settings_json.h"
 #include "core/files/whole_file.h"
 
 #include <fmt/format.h>
@@ -189,9 +190,8 @@ base::Problems problemsIn(const BundledFile& file) {
   if (file.name == "counters.json") {
     return readCounters(file.bytes, file.name).problems;
   }
-  if (file.name == "settings.json") { // of the window, which checks each of its values
-    const auto object = parseJson(file.bytes, file.name);
-    return object ? base::Problems() : base::Problems{object.error()};
+  if (file.name == "settings.json") {
+    return readSettingsFile(file.bytes, file.name).problems;
   }
   return readRecipe(file.bytes, file.name).problems;
 }
