@@ -1,6 +1,7 @@
 #include "ui/main_window.h"
 
 #include "ui/figures/style.h"
+#include "ui/pages/alarms_page.h"
 #include "ui/pages/help_page.h"
 #include "ui/pages/job_page.h"
 #include "ui/pages/profiles_page.h"
@@ -77,6 +78,8 @@ MainWindow::MainWindow(const MachineSetup& setup, PlannerSteps steps, QWidget* p
   });
   connect(&m_preferences, &Preferences::changed, this, &MainWindow::applySettings, Qt::QueuedConnection);
   connect(&m_preferences, &Preferences::problemsArose, this, &MainWindow::tellProblems);
+  connect(&m_alarms.backUps, &BackUps::restoring, &m_preferences,
+          [this](bool restores) { m_preferences.setKeeping(!restores); });
   tellProblems();
   showTitle();
 }
@@ -95,6 +98,8 @@ void MainWindow::build() {
   addPage(new SetupPage(m_machine), tr("Setup"), QStringLiteral("pageSetup"));
   addPage(new RunPage(m_planner, m_machine), tr("Run"), QStringLiteral("pageRun"));
   addPage(new ProfilesPage(m_planner, m_profileFiles), tr("Profiles"), QStringLiteral("pageProfiles"));
+  auto* alarms = new AlarmsPage(m_machine, m_alarms);
+  addPage(alarms, tr("Alarms"), QStringLiteral("pageAlarms"));
   addPage(new SettingsPage(m_preferences), tr("Settings"), QStringLiteral("pageSettings"));
   m_help = new HelpPage;
   addPage(m_help, tr("Help"), QStringLiteral("pageHelp"));
@@ -112,6 +117,7 @@ void MainWindow::build() {
   setCentralWidget(all);
   m_strip->showPage(0);
   connect(m_strip, &ControlStrip::pageChosen, m_pages, &QStackedWidget::setCurrentIndex);
+  connect(m_banner, &AlarmBanner::tapped, this, [this, alarms] { showPage(m_pages->indexOf(alarms)); });
   connect(m_strip, &ControlStrip::lockRequested, this, [this] { setLocked(true); });
   connect(m_cover, &WipeCover::ended, this, [this] { setLocked(false); });
   connect(job, &JobPage::openRequested, this, &MainWindow::askForPattern);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/presenters/alarms_state.h"
 #include "ui/presenters/machine_link.h"
 #include "ui/presenters/preferences.h"
 #include "ui/presenters/profile_files.h"
@@ -51,6 +52,10 @@ public:
     return m_preferences;
   }
 
+  [[nodiscard]] BackUps& backUps() {
+    return m_alarms.backUps;
+  }
+
 protected:
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -72,6 +77,7 @@ private:
   Planner m_planner;
   MachineLink m_machine;
   ProfileFiles m_profileFiles;
+  AlarmsState m_alarms{m_machine};
   files::Settings m_shown; // the settings that the window was built with
   AlarmBanner* m_banner = nullptr;
   ControlStrip* m_strip = nullptr;

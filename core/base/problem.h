@@ -35,6 +35,8 @@ enum class Code {
   RecordMalformed,
   RecordDamaged,
   FileSetAside,
+  CountersDamaged,
+  BundleMalformed,
   // The gate in front of the DXF reader
   DxfEmpty,
   DxfBinary,

@@ -28,6 +28,9 @@ const std::vector<CodeInfo>& allCodes() {
        "{file} is not whole: {reason} at byte {byte}. What can be read is used."},
       {FileSetAside, "file-set-aside", Warning,
        "{file} is damaged: it was kept as {aside}, and defaults are in effect."},
+      {CountersDamaged, "counters-damaged", Warning,
+       "{file} is damaged and was kept as {kept}; hours and metres are counted from zero."},
+      {BundleMalformed, "bundle-malformed", Error, "{file} is not a back-up that can be restored: {reason}."},
 
       {DxfEmpty, "dxf-empty", Error, "The pattern file is empty."},
       {DxfBinary, "dxf-binary", Error, "The binary DXF file is damaged: {reason}."},

@@ -2,19 +2,13 @@
 
 #include "core/control/axis_driver.h"
 #include "core/control/controller.h"
+#include "core/control/timing.h"
 
 #include <atomic>
 #include <string>
 #include <thread>
 
 namespace arris::control {
-
-/// What the thread has seen of the system's timing.
-struct Timing {
-  std::int64_t lateWakeUps = 0; ///< by more than a period
-  int worstLead = 0;            ///< the fewest set-points that the axes had left at a wake-up
-  double worstLateness = 0;     ///< s
-};
 
 /// Calls the controller on time: wakes up every period by an absolute clock and keeps the axes supplied with set-points
 /// for the lead. Real-time scheduling and locked memory where the system allows them. However it ends, the drives are

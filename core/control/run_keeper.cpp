@@ -1,6 +1,6 @@
 #include "core/control/run_keeper.h"
 
-#include "core/files/alarm_log.h"
+#include "core/control/alarms.h"
 #include "core/files/record_folder.h"
 #include "core/files/whole_file.h"
 
@@ -83,28 +83,17 @@ void RunKeeper::add(const Report& report) {
   m_last = report;
 }
 
-void RunKeeper::add(const FaultReport& fault) {
-  const FaultInfo& row = info(fault.fault);
-  std::vector<base::Value> values;
-  if (fault.axis >= 0) {
-    values.push_back({"axis", std::string("XYZ").substr(static_cast<std::size_t>(fault.axis), 1)});
-  }
-  if (row.text.find("{value}") != std::string_view::npos) {
-    values.push_back({"value", fault.value});
-  }
+files::Alarm RunKeeper::add(const FaultReport& fault) {
+  files::Alarm alarm = alarmOf(fault, m_wallClock());
   if (m_record) { // the two seconds around it in the record
     const double time = static_cast<double>(std::max<std::int64_t>(0, m_last.runTick)) * m_job->machine.period;
-    values.push_back({"from_s", std::max(0.0, time - 1)});
-    values.push_back({"to_s", time + 1});
-    event(m_last, std::string(row.name), values);
-    values.push_back({"record", m_recordFile.filename().string()});
+    alarm.values.push_back({"from_s", std::max(0.0, time - 1)});
+    alarm.values.push_back({"to_s", time + 1});
+    event(m_last, alarm.code, alarm.values);
+    alarm.values.push_back({"record", m_recordFile.filename().string()});
   }
-  files::Alarm alarm;
-  alarm.time = m_wallClock();
-  alarm.code = row.name;
-  alarm.text = describe(fault);
-  alarm.values = std::move(values);
   keep(files::appendAlarm(m_folder.alarmLog(), alarm));
+  return alarm;
 }
 
 void RunKeeper::beginRun() {

@@ -2,6 +2,7 @@
 
 #include "core/control/latest_file.h"
 #include "core/control/run_rows.h"
+#include "core/files/alarm_log.h"
 #include "core/files/resume_point.h"
 #include "core/files/run_record.h"
 
@@ -45,6 +46,10 @@ struct StateFolder {
   [[nodiscard]] std::filesystem::path recipes() const {
     return root / "recipes";
   }
+
+  [[nodiscard]] std::filesystem::path counters() const {
+    return root / "counters.json";
+  }
 };
 
 /// The resume point is written so often, s of the run.
@@ -71,7 +76,9 @@ public:
   RunKeeper& operator=(const RunKeeper&) = delete;
 
   void add(const Report& report);
-  void add(const FaultReport& fault);
+
+  /// Into the record and the alarm log; gives back what stands in the log.
+  files::Alarm add(const FaultReport& fault);
 
   /// Nothing is left of the pane that was broken off: there is no more to resume.
   void nothingLeft() {

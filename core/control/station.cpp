@@ -56,4 +56,8 @@ const ControlThread* Station::thread() const {
   return m_parts->thread ? &*m_parts->thread : nullptr;
 }
 
+std::optional<Timing> Station::timing() const {
+  return m_parts->thread ? std::optional(m_parts->thread->timing()) : std::nullopt;
+}
+
 } // namespace arris::control

@@ -2,8 +2,10 @@
 
 #include "core/control/simulated_axes.h"
 #include "core/control/supervisor.h"
+#include "core/control/timing.h"
 
 #include <memory>
+#include <optional>
 
 namespace arris::control {
 
@@ -30,6 +32,9 @@ public:
 
   /// Null in simulated time.
   [[nodiscard]] const ControlThread* thread() const;
+
+  /// Of that thread; none in simulated time.
+  [[nodiscard]] std::optional<Timing> timing() const;
 
 private:
   struct Parts;

@@ -88,30 +88,37 @@ Expected<void> appendAlarm(const path& log, const Alarm& alarm, std::size_t larg
   return {};
 }
 
-Expected<std::vector<Alarm>> readAlarms(const path& log) {
+Expected<AlarmLog> readAlarmLog(const path& log) {
+  AlarmLog result;
   std::error_code none;
   if (!std::filesystem::exists(log, none)) {
-    return std::vector<Alarm>();
+    return result;
   }
   const auto text = readFile(log);
   if (!text) {
     return Unexpected(text.error());
   }
-  std::vector<Alarm> alarms;
   std::map<std::pair<std::string, std::string>, std::size_t> places;
   for (std::string_view rest = *text; !rest.empty();) {
     const std::size_t end = rest.find('\n');
-    if (auto alarm = alarmFrom(rest.substr(0, end))) {
-      const auto [place, isNew] = places.try_emplace({alarm->time, alarm->code}, alarms.size());
+    const std::string_view line = rest.substr(0, end);
+    if (auto alarm = alarmFrom(line)) {
+      const auto [place, isNew] = places.try_emplace({alarm->time, alarm->code}, result.alarms.size());
       if (isNew) {
-        alarms.push_back(*std::move(alarm));
+        result.alarms.push_back(*std::move(alarm));
       } else {
-        alarms[place->second] = *std::move(alarm);
+        result.alarms[place->second] = *std::move(alarm);
       }
+    } else if (!line.empty()) {
+      ++result.brokenLines;
     }
     rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
   }
-  return alarms;
+  return result;
+}
+
+Expected<std::vector<Alarm>> readAlarms(const path& log) {
+  return readAlarmLog(log).map([](AlarmLog read) { return std::move(read.alarms); });
 }
 
 } // namespace arris::files

@@ -3,6 +3,7 @@
 #include "core/base/problem.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -28,8 +29,18 @@ inline constexpr std::size_t kLargestAlarmLog = 10'000'000;
 [[nodiscard]] base::Expected<void> appendAlarm(const std::filesystem::path& log, const Alarm& alarm,
                                                std::size_t largest = kLargestAlarmLog);
 
-/// The alarms of the log, oldest first; one that stands there again (same time and code) counts once, as it stands
-/// last. None where there is no log yet. Lines that are broken are passed over.
+/// What a log holds.
+struct AlarmLog {
+  std::vector<Alarm> alarms;    ///< oldest first
+  std::int64_t brokenLines = 0; ///< that were passed over
+  bool operator==(const AlarmLog&) const = default;
+};
+
+/// The log as it stands; an alarm that stands there again (same time and code) counts once, as it stands last. Empty
+/// where there is no log yet. Lines that are broken are passed over and counted.
+[[nodiscard]] base::Expected<AlarmLog> readAlarmLog(const std::filesystem::path& log);
+
+/// Its alarms alone.
 [[nodiscard]] base::Expected<std::vector<Alarm>> readAlarms(const std::filesystem::path& log);
 
 } // namespace arris::files

@@ -24,6 +24,7 @@ Allowed allowedIn(const control::Report& report, control::JobState job, bool isL
   allowed.step = report.state == State::Held && isLoaded;
   allowed.hold = isOrdered || (may(Event::Hold) && report.state != State::Stopping);
   allowed.stop = control::isMoving(report.state) || isOrdered;
+  allowed.restore = !allowed.stop && !isLoaded && report.program == 0;
   return allowed;
 }
 

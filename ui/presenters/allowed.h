@@ -18,7 +18,8 @@ struct Allowed {
   bool resume = false;
   bool step = false;
   bool hold = false;
-  bool stop = false; ///< something moves, or may begin to
+  bool stop = false;    ///< something moves, or may begin to
+  bool restore = false; ///< what the machine is and how it works: nothing of it is in use
   bool operator==(const Allowed&) const = default;
 };
 

@@ -1,11 +1,13 @@
 #include "ui/presenters/machine_link.h"
 
+#include "core/control/alarms.h"
 #include "core/files/wall_clock.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <thread>
+#include <utility>
 
 namespace arris::ui {
 
@@ -36,6 +38,7 @@ MachineLink::MachineLink(const MachineSetup& setup, std::unique_ptr<control::Sim
                 {[this](const control::Report& report) { hear(report); },
                  [this](const control::FaultReport& fault) { hear(fault); }}) {
   connect(&m_timer, &QTimer::timeout, this, &MachineLink::pass);
+  setCounting(true);
   m_timer.setTimerType(Qt::PreciseTimer);
   m_timer.start(setup.pace == control::Pace::Real ? kServeEvery : 1);
 }
@@ -65,6 +68,9 @@ void MachineLink::pass() {
       complain(problem);
     }
   }
+  if (const auto failure = m_counters ? m_counters->takeFailure() : std::nullopt) {
+    complain(*failure);
+  }
   if (const auto& refusal = m_station.operatorSide().refusal()) {
     complain(*refusal);
   }
@@ -93,14 +99,43 @@ void MachineLink::hear(const control::Report& report) {
   if (m_keeper) {
     m_keeper->add(report);
   }
+  if (m_counters) {
+    m_counters->add(report);
+  }
+  m_worstFollowingError = m_worstFollowingError.cwiseMax(report.followingError.cwiseAbs());
 }
 
 void MachineLink::hear(const control::FaultReport& fault) {
-  if (m_keeper) {
-    m_keeper->add(fault);
-  }
-  m_alarms.push_back({fault, files::wallClock()});
+  m_alarms.push_back({fault, log(fault)});
   Q_EMIT alarmRaised(m_alarms.back());
+}
+
+// Each once: a run's keeper logs those that come while a job is loaded.
+files::Alarm MachineLink::log(const control::FaultReport& fault) {
+  if (m_keeper) {
+    return m_keeper->add(fault);
+  }
+  files::Alarm alarm = control::alarmOf(fault, files::wallClock());
+  std::error_code none; // whatever it is, writing meets it again
+  std::filesystem::create_directories(m_folder.root, none);
+  logged(files::appendAlarm(m_folder.alarmLog(), alarm));
+  return alarm;
+}
+
+void MachineLink::logged(const base::Expected<void>& result) {
+  if (!result) {
+    complain(result.error());
+  }
+}
+
+void MachineLink::setCounting(bool counts) {
+  m_counters.reset();
+  if (counts) {
+    m_counters.emplace(m_folder.counters(), m_machine.period, files::wallClock());
+    if (const auto& damage = m_counters->damage()) {
+      complain(*damage);
+    }
+  }
 }
 
 Allowed MachineLink::allowed() const {
@@ -129,10 +164,13 @@ void MachineLink::home() {
 
 void MachineLink::acknowledge() {
   if (allowed().acknowledge && m_station.operatorSide().acknowledge()) {
-    for (Alarm& alarm : m_alarms) {
-      alarm.isActive = false;
-    }
     m_complaint.reset();
+    for (Alarm& alarm : m_alarms) {
+      if (std::exchange(alarm.isActive, false)) {
+        alarm.logged.acknowledged = true;
+        logged(files::appendAlarm(m_folder.alarmLog(), alarm.logged));
+      }
+    }
     Q_EMIT changed();
   }
 }

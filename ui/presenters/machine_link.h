@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/control/counter_keeper.h"
 #include "core/control/run_keeper.h"
 #include "core/control/simulated_axes.h"
 #include "core/control/station.h"
@@ -17,7 +18,7 @@ namespace arris::ui {
 /// A fault as the window tells it.
 struct Alarm {
   control::FaultReport fault;
-  std::string time;     ///< of the day, ISO 8601
+  files::Alarm logged;  ///< as it stands in the alarm log
   bool isActive = true; ///< not acknowledged yet
 };
 
@@ -90,6 +91,34 @@ public:
   /// Tells a problem on the banner, until the operator goes on.
   void complain(const base::Problem& problem);
 
+  /// Where the machine keeps what its runs leave.
+  [[nodiscard]] const control::StateFolder& folder() const {
+    return m_folder;
+  }
+
+  /// The largest following error of each axis since the program began, mm.
+  [[nodiscard]] const Eigen::Vector3d& worstFollowingError() const {
+    return m_worstFollowingError;
+  }
+
+  /// Of the controller's thread; none in simulated time.
+  [[nodiscard]] std::optional<control::Timing> timing() const {
+    return m_station.timing();
+  }
+
+  /// Over the life of the machine.
+  [[nodiscard]] files::Counters counters() const {
+    return m_counters ? m_counters->counters() : files::Counters();
+  }
+
+  /// What was wrong with the file of the counters when it was read.
+  [[nodiscard]] std::optional<base::Problem> counterDamage() const {
+    return m_counters ? m_counters->damage() : std::nullopt;
+  }
+
+  /// While it does not count its file may be replaced; afterwards it goes on from what stands there.
+  void setCounting(bool counts);
+
   // What the operator wants; where it is not allowed nothing happens.
 
   void enable();
@@ -127,6 +156,8 @@ private:
 
   void hear(const control::Report& report);
   void hear(const control::FaultReport& fault);
+  files::Alarm log(const control::FaultReport& fault);
+  void logged(const base::Expected<void>& result);
   void tellChanges();
 
   control::StateFolder m_folder;
@@ -137,6 +168,8 @@ private:
   PlanPointer m_loaded;
   double m_length = 1; ///< of the job's way, mm
   std::unique_ptr<control::RunKeeper> m_keeper;
+  std::optional<control::CounterKeeper> m_counters; ///< none while it does not count
+  Eigen::Vector3d m_worstFollowingError{0, 0, 0};   ///< mm
   std::vector<Alarm> m_alarms;
   std::optional<base::Problem> m_complaint;
   Allowed m_told;

@@ -146,6 +146,9 @@ bool Preferences::isCode(const QString& text) {
 }
 
 void Preferences::write(const fs::path& file, const std::string& text) {
+  if (!m_keeps) {
+    return;
+  }
   std::error_code failure;
   fs::create_directories(m_folder.root, failure); // where that fails the write tells why
   if (const auto written = files::writeWholeFile(file, text); !written) {

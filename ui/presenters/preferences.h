@@ -46,6 +46,11 @@ public:
   void keepRecipe(const recipe::Recipe& recipe);
   void noteOpened(const std::filesystem::path& pattern); ///< first among the recent ones
 
+  /// Off: nothing is written any more, since the files have been replaced by others, which count from the next start.
+  void setKeeping(bool keeps) {
+    m_keeps = keeps;
+  }
+
   /// Whether the engineering values may be changed: always where no code is set.
   [[nodiscard]] bool isOpen() const {
     return m_isOpen;
@@ -75,6 +80,7 @@ private:
   recipe::Machine m_nextMachine;
   recipe::Recipe m_lastRecipe;
   bool m_isOpen = true;
+  bool m_keeps = true;
   base::Problems m_problems;
 };
 

@@ -3,14 +3,38 @@
 #include "ui/text/quantities.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 
 #include <array>
+#include <string_view>
 
 namespace arris::ui {
 namespace {
 
 QString sentence(std::string_view english) {
   return QCoreApplication::translate("Fault", std::string(english).c_str());
+}
+
+// What the figure of a fault is; null where it has none.
+const char* figureUnit(control::Fault fault) {
+  switch (fault) {
+  case control::Fault::FollowingError:
+    return QT_TRANSLATE_NOOP("Fault", "%1 mm");
+  case control::Fault::SetPointInconsistent:
+    return QT_TRANSLATE_NOOP("Fault", "%1 mm/s²");
+  case control::Fault::FeedbackLate:
+    return QT_TRANSLATE_NOOP("Fault", "%1 ms");
+  case control::Fault::SetPointLate:
+    return QT_TRANSLATE_NOOP("Fault", "%1 periods");
+  default:
+    return nullptr;
+  }
+}
+
+QString figureText(const control::FaultReport& fault, const QLocale& locale) {
+  const char* unit = figureUnit(fault.fault);
+  const bool isLength = unit != nullptr && std::string_view(unit).starts_with("%1 mm");
+  return isLength ? lengthText(fault.value, 3, locale) : numberText(fault.value, 3, locale);
 }
 
 } // namespace
@@ -101,11 +125,22 @@ QString jobStateText(control::JobState state) {
 }
 
 QString faultText(const control::FaultReport& fault, const QLocale& locale) {
-  QString text = sentence(control::info(fault.fault).text);
+  QString text = inShownUnits(sentence(control::info(fault.fault).text));
   text.replace(QStringLiteral("{axis}"), fault.axis >= 0 ? QString(QStringLiteral("XYZ").at(fault.axis))
                                                          : QCoreApplication::translate("Fault", "an axis"));
-  text.replace(QStringLiteral("{value}"), numberText(fault.value, 3, locale));
+  text.replace(QStringLiteral("{value}"), figureText(fault, locale));
   return text;
+}
+
+QString faultFigures(const control::FaultReport& fault, const QLocale& locale) {
+  QStringList figures;
+  if (fault.axis >= 0) {
+    figures += QString(QStringLiteral("XYZ").at(fault.axis));
+  }
+  if (const char* unit = figureUnit(fault.fault)) {
+    figures += inShownUnits(QCoreApplication::translate("Fault", unit)).arg(figureText(fault, locale));
+  }
+  return figures.join(QStringLiteral(", "));
 }
 
 QString causeText(control::Fault fault) {

@@ -16,6 +16,9 @@ namespace arris::ui {
 
 /// The fault in a sentence, with its axis and figure.
 [[nodiscard]] QString faultText(const control::FaultReport& fault, const QLocale& locale);
+
+/// Its axis and figure alone, with the unit: "X, 1.25 mm"; empty where it has neither.
+[[nodiscard]] QString faultFigures(const control::FaultReport& fault, const QLocale& locale);
 [[nodiscard]] QString causeText(control::Fault fault);
 [[nodiscard]] QString remedyText(control::Fault fault);
 

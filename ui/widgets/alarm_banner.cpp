@@ -6,6 +6,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPushButton>
 
 namespace arris::ui {
@@ -43,6 +44,17 @@ AlarmBanner::AlarmBanner(MachineLink& machine, QWidget* parent)
 void AlarmBanner::setLocked(bool locked) {
   m_isLocked = locked;
   showState();
+}
+
+// Also on its texts, which let a tap through.
+void AlarmBanner::mousePressEvent(QMouseEvent* event) {
+  event->accept();
+}
+
+void AlarmBanner::mouseReleaseEvent(QMouseEvent* event) {
+  if (rect().contains(event->position().toPoint())) {
+    Q_EMIT tapped();
+  }
 }
 
 void AlarmBanner::showState() {

@@ -10,7 +10,7 @@ class QPushButton;
 namespace arris::ui {
 
 /// The line above every page: what the machine does, and the alarm that is active, with its remedy and a button to
-/// acknowledge it. Its height never changes.
+/// acknowledge it; a tap on it leads to more. Its height never changes.
 class AlarmBanner : public QWidget {
   Q_OBJECT
 
@@ -19,6 +19,13 @@ public:
 
   /// Nothing is acknowledged while the screen is locked.
   void setLocked(bool locked);
+
+Q_SIGNALS:
+  void tapped();
+
+protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
 
 private:
   void showState();

@@ -87,6 +87,7 @@ TEST(AlarmLog, AHalfLastLineIsPassedOverAndTakesNoOtherWithIt) {
     ASSERT_THAT(alarmsIn(scratch / "a"), ElementsAre(alarmNumber(1))) << length;
     ASSERT_TRUE(appendAlarm(scratch / "a", alarmNumber(2)));
     ASSERT_THAT(alarmsIn(scratch / "a"), ElementsAre(alarmNumber(1), alarmNumber(2))) << length;
+    ASSERT_EQ(readAlarmLog(scratch / "a")->brokenLines, length == 0 ? 0 : 1) << length;
   }
 }
 
