@@ -15,7 +15,7 @@ namespace {
 constexpr double kPanelGap = 22;
 constexpr double kTimeAxisHeight = 82;
 constexpr double kPanelHeightForWords = 215;
-constexpr double kLeastPanelHeight = 85;
+constexpr double kLeastPanelHeight = 76;
 constexpr double kTickLength = 8;
 constexpr double kLabelPadding = 8;
 constexpr double kOverlaidLine = 8;

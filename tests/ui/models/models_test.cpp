@@ -2,6 +2,7 @@
 #include "ui/models/corner_model.h"
 #include "ui/models/problem_model.h"
 #include "ui/models/time_model.h"
+#include "ui/text/quantities.h"
 
 #include <QAbstractItemModelTester>
 
@@ -35,6 +36,18 @@ TEST(CornerModel, ShowsTheFiguresOfThePaper) {
   EXPECT_EQ(cell(model, 2, CornerModel::Time), "12.99");
   EXPECT_EQ(cell(model, 2, CornerModel::Widest), "93.75");
   EXPECT_EQ(cell(model, 2, CornerModel::Relief), "+18.49"); // 93.75 − 75.26
+}
+
+TEST(CornerModel, ShowsInchesWhereTheWindowDoes) {
+  CornerModel model;
+  model.setPlan(planOf(test::triangle600()));
+  showLengthsIn(LengthUnit::Inch);
+  EXPECT_EQ(cell(model, 2, CornerModel::Speed), "0.79"); // 20 mm/s
+  EXPECT_EQ(cell(model, 2, CornerModel::Time), "12.99");
+  EXPECT_EQ(cell(model, 2, CornerModel::Widest), "3.691");
+  EXPECT_EQ(cell(model, 2, CornerModel::Relief), "+0.728");
+  EXPECT_EQ(model.headerData(CornerModel::Acceleration, Qt::Horizontal).toString().section('\n', 1), "in/s²");
+  showLengthsIn(LengthUnit::Millimetre);
 }
 
 TEST(CornerModel, HasNoTransitionFiguresForARoll) {

@@ -3,11 +3,14 @@
 #include "tests/ui/support/locales.h"
 #include "tests/ui/support/recorded_runs.h"
 #include "tests/ui/support/steps.h"
+#include "ui/figures/path_plot.h"
 #include "ui/figures/profile_plot.h"
 #include "ui/pages/profiles_page.h"
+#include "ui/text/quantities.h"
 #include "ui/text/translators.h"
 #include "ui/widgets/theme.h"
 
+#include <QButtonGroup>
 #include <QFile>
 #include <QLabel>
 #include <QTest>
@@ -21,6 +24,11 @@ namespace arris::ui {
 namespace {
 
 constexpr QSize kSmallestPage(904, 620);
+
+// Of a transition: halfway between the middle of A and C, and Q.
+geometry::Point middleOf(const toolpath::Corner& corner) {
+  return (corner.a + corner.c) / 4 + corner.q / 2;
+}
 
 class Profiles : public testing::Test {
 protected:
@@ -65,7 +73,15 @@ protected:
   }
 
   ProfilePlot* plot() {
-    return m_page.findChild<ProfilePlot*>();
+    return plotNamed("speedsPlot");
+  }
+
+  ProfilePlot* plotNamed(const char* name) {
+    return m_page.findChild<ProfilePlot*>(QString::fromLatin1(name));
+  }
+
+  PathPlot* path() {
+    return m_page.findChild<PathPlot*>();
   }
 
   QCPRange times() {
@@ -122,6 +138,12 @@ void Profiles::expectEverythingShown() {
   check();
   press("profilesPlanned");
   check();
+  plan("triangle.dxf");
+  for (const char* content : {"profilesPositions", "profilesPath", "profilesSpeeds"}) {
+    press(content);
+    press("profilesNextCorner");
+    check();
+  }
 }
 
 TEST_F(Profiles, SayWhatToDoWhenNothingIsOpen) {
@@ -321,12 +343,191 @@ TEST_F(Profiles, AreSavedAsAPicture) {
   EXPECT_NE(state().find(".svg, .pdf, .png"), std::string::npos) << state();
 }
 
+TEST_F(Profiles, ShowThePositionsOverTime) {
+  plan("triangle.dxf");
+  open(test::recordOf(triangle(), m_scratch));
+  press("profilesNextCorner");
+  const QCPRange before = times();
+  press("profilesPositions");
+  ProfilePlot* positions = plotNamed("positionsPlot");
+  ASSERT_TRUE(positions->isVisible());
+  EXPECT_EQ(positions->axisRectCount(), 2);
+  EXPECT_EQ(positions->axisRect(0)->axis(QCPAxis::atBottom)->range(), before); // the same times
+  const geometry::Point middle = middleOf(triangle().toolpath.corners[0]);
+  EXPECT_NEAR(text("value_0_0").toDouble(), middle.x(), 0.03);
+  EXPECT_NEAR(text("value_0_1").toDouble(), middle.y(), 0.03);
+  EXPECT_EQ(text("value_0_2"), "10.00");
+  EXPECT_EQ(text("value_0_3"), "93.75");
+  EXPECT_EQ(text("value_0_4").trimmed(), "");
+  press("profilesNextCorner");
+  EXPECT_GT(positions->axisRect(0)->axis(QCPAxis::atBottom)->range().center(), before.center());
+  test::keep("profiles-positions-corner", m_page);
+  press("profilesWork");
+  test::keep("profiles-positions", m_page);
+  press("profilesSpeeds");
+  EXPECT_NEAR(times().size(), triangle().working, 0.01);
+}
+
+TEST_F(Profiles, ShowThePathInThePlaneInOneScale) {
+  plan("triangle.dxf");
+  open(test::recordOf(triangle(), m_scratch));
+  press("profilesPath");
+  test::keep("profiles-path", m_page);
+  press("profilesNextCorner");
+  const toolpath::Corner& corner = triangle().toolpath.corners[0];
+  const job::CornerResult& result = triangle().cornerResults[0];
+  const QRectF shown = path()->shownBox();
+  for (const geometry::Point& place : {corner.a, corner.c, corner.q, corner.s, result.decelerationPoint}) {
+    EXPECT_TRUE(shown.contains(place.x(), place.y()));
+  }
+  EXPECT_LT(shown.width(), 600);
+  const QCPAxisRect* rect = path()->axisRect();
+  EXPECT_NEAR(shown.width() / rect->width(), shown.height() / rect->height(), 1e-6);
+  test::keep("profiles-path-corner", m_page);
+  press("profilesZoomIn");
+  EXPECT_NEAR(path()->shownBox().width(), shown.width() / 1.5, 1e-6);
+  EXPECT_NEAR(path()->shownBox().height(), shown.height() / 1.5, 1e-6);
+  press("profilesNextCorner");
+  EXPECT_FALSE(path()->shownBox().contains(corner.s.x(), corner.s.y()));
+  press("profilesAll");
+  EXPECT_TRUE(path()->shownBox().contains(QRectF(0, 0, 1500, 2500)));
+}
+
+TEST_F(Profiles, TellTheValuesAtThePlaceOfThePathThatIsTapped) {
+  plan("triangle.dxf");
+  press("profilesPath");
+  press("profilesNextCorner");
+  const toolpath::Corner& corner = triangle().toolpath.corners[0];
+  const QPoint at(qRound(path()->xAxis->coordToPixel(corner.a.x())), qRound(path()->yAxis->coordToPixel(corner.a.y())));
+  QTest::mouseClick(path(), Qt::LeftButton, {}, at);
+  EXPECT_NEAR(text("value_0_0").toDouble(), corner.a.x(), 1); // to a pixel
+  EXPECT_NEAR(text("value_0_3").toDouble(), 75, 0.1);
+  const QString before = text("instant");
+  QTest::keyClick(path(), Qt::Key_Right);
+  EXPECT_NE(text("instant"), before);
+}
+
+TEST_F(Profiles, ShowThePathOfAFileWithoutAnyPlan) {
+  open(test::recordOf(triangle(), m_scratch));
+  press("profilesPath");
+  press("profilesNextCorner");
+  EXPECT_TRUE(path()->shownBox().contains(triangle().toolpath.corners[0].a.x(), triangle().toolpath.corners[0].a.y()));
+  test::keep("profiles-path-file", m_page);
+}
+
+TEST_F(Profiles, SaveThePictureThatIsShown) {
+  plan("triangle.dxf");
+  open(test::recordOf(triangle(), m_scratch));
+  press("profilesPath");
+  press("profilesNextCorner");
+  const auto saved = [&](const char* name) {
+    m_page.savePicture(test::artefact(name));
+    settle();
+    QFile file(QString::fromStdString(test::artefact(name).string()));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    return file.readAll();
+  };
+  const QByteArray way = saved("profiles-path-picture.svg");
+  for (const char* words : {"X, mm", "Y, mm", ">Q<", ">S<", "run.arrisrun", "Glass"}) {
+    EXPECT_TRUE(way.contains(words)) << words;
+  }
+  saved("profiles-path-picture.png");
+  press("profilesPositions");
+  const QByteArray positions = saved("profiles-positions-picture.svg");
+  EXPECT_TRUE(positions.contains("X position"));
+  EXPECT_FALSE(positions.contains("X velocity"));
+  saved("profiles-positions-picture.png");
+}
+
+TEST_F(Profiles, SaveTheProfileOfTheRunThatIsOpenElseThePlannedOne) {
+  plan("triangle.dxf");
+  const auto read = [this](const char* name) {
+    m_page.saveProfile(m_scratch / name);
+    settle();
+    QFile file(QString::fromStdString((m_scratch / name).string()));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    return file.readAll();
+  };
+  EXPECT_FALSE(read("planned.csv").contains("vx_meas_mm_s"));
+  EXPECT_EQ(state(), "Saved: planned.csv");
+  open(test::recordOf(triangle(), m_scratch));
+  EXPECT_TRUE(read("executed.csv").contains("vx_meas_mm_s"));
+}
+
+TEST_F(Profiles, SaveTheJobSheetAlsoOfAPaneThatCannotBeGround) {
+  EXPECT_FALSE(button("profilesSaveSheet")->isEnabled());
+  plan("outside.dxf");
+  EXPECT_TRUE(button("profilesSaveSheet")->isEnabled());
+  EXPECT_FALSE(button("profilesSaveProfile")->isEnabled());
+  m_page.saveJobSheet(m_scratch / "sheet.pdf");
+  settle();
+  EXPECT_EQ(state(), "Saved: sheet.pdf");
+  EXPECT_GT(std::filesystem::file_size(m_scratch / "sheet.pdf"), 10000U);
+}
+
+TEST_F(Profiles, AreAsTheyWereOnAPageThatIsMadeAnew) {
+  plan("triangle.dxf");
+  open(test::cutAt(0.5, test::recordOf(triangle(), m_scratch), m_scratch));
+  ProfilesPage again(m_planner, m_files);
+  again.resize(kSmallestPage);
+  again.show();
+  const auto* state = again.findChild<QLabel*>(QStringLiteral("profilesState"));
+  EXPECT_TRUE(state->text().contains(QStringLiteral("cut.arrisrun"))) << state->text().toStdString();
+  const auto* plot = again.findChild<ProfilePlot*>(QStringLiteral("speedsPlot"));
+  int curves = 0;
+  for (const QCPGraph* graph : plot->axisRect(4)->graphs()) {
+    curves += graph->dataCount() > 2 ? 1 : 0;
+  }
+  EXPECT_EQ(curves, 2);
+}
+
+TEST_F(Profiles, AreInInchesWhereTheWindowIsButNotInPictures) {
+  showLengthsIn(LengthUnit::Inch);
+  ProfilesPage page(m_planner, m_files);
+  page.resize(kSmallestPage);
+  page.show();
+  plan("triangle.dxf");
+  QTest::mouseClick(page.findChild<QToolButton*>(QStringLiteral("profilesNextCorner")), Qt::LeftButton);
+  EXPECT_EQ(page.findChild<QLabel*>(QStringLiteral("value_0_5"))->text(), "3.691"); // 93.75 mm
+  const auto* plot = page.findChild<ProfilePlot*>(QStringLiteral("speedsPlot"));
+  EXPECT_TRUE(plot->axisRect(0)->axis(QCPAxis::atLeft)->label().endsWith("in/s"));
+  EXPECT_NEAR(plot->axisRect(4)->axis(QCPAxis::atLeft)->range().upper, 1.12 * 60 / 25.4, 1e-6);
+  page.savePicture(m_scratch / "inch.svg");
+  settle();
+  QTest::qWait(20);
+  test::keep("profiles-inch", page);
+  showLengthsIn(LengthUnit::Millimetre);
+  QFile file(QString::fromStdString((m_scratch / "inch.svg").string()));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QByteArray svg = file.readAll();
+  EXPECT_TRUE(svg.contains("mm/s"));
+  EXPECT_FALSE(svg.contains("in/s"));
+}
+
+TEST_F(Profiles, LookRightInTheDark) {
+  showAppearance(Appearance::Dark);
+  ProfilesPage page(m_planner, m_files);
+  page.resize(kSmallestPage);
+  page.show();
+  plan("triangle.dxf");
+  open(test::recordOf(triangle(), m_scratch));
+  QTest::mouseClick(page.findChild<QToolButton*>(QStringLiteral("profilesNextCorner")), Qt::LeftButton);
+  QTest::qWait(20);
+  test::keep("profiles-dark", page);
+  QTest::mouseClick(page.findChild<QToolButton*>(QStringLiteral("profilesPath")), Qt::LeftButton);
+  QTest::qWait(20);
+  test::keep("profiles-dark-path", page);
+  showAppearance(Appearance::Light);
+  const QImage shown = page.findChild<PathPlot*>()->grab().toImage();
+  EXPECT_LT(shown.pixelColor(2, 2).lightness(), 60);
+}
+
 TEST_F(Profiles, HaveTargetsForFingersThatTheTabulatorReaches) {
   plan("triangle.dxf");
   open(test::recordOf(triangle(), m_scratch));
   button("profilesOpen")->setFocus();
   QSet<QWidget*> reached{button("profilesOpen")};
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 30; ++i) {
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
     reached.insert(QApplication::focusWidget());
   }
@@ -334,7 +535,8 @@ TEST_F(Profiles, HaveTargetsForFingersThatTheTabulatorReaches) {
   for (QToolButton* each : m_page.findChildren<QToolButton*>()) {
     EXPECT_GE(each->height(), kTouch) << each->objectName().toStdString();
     EXPECT_GE(each->width(), kTouch) << each->objectName().toStdString();
-    EXPECT_TRUE(reached.contains(each)) << each->objectName().toStdString();
+    const bool byArrows = each->group() != nullptr && reached.contains(each->group()->checkedButton());
+    EXPECT_TRUE(reached.contains(each) || byArrows) << each->objectName().toStdString();
   }
 }
 

@@ -150,6 +150,70 @@ TEST(ProfileFiles, AreWrittenEvenWhenAnotherIsOpened) {
   EXPECT_EQ(read.readAll(), "a picture");
 }
 
+std::string bytesOf(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(ProfileFiles, ExportThePlannedProfileAsThePlanCallDoes) {
+  const test::Scratch scratch;
+  auto plan = std::make_shared<Plan>();
+  plan->job = job::planJob(test::triangle600(), {}, {});
+  ProfileFiles files;
+  QSignalSpy saved(&files, &ProfileFiles::saved);
+  files.exportPlanned(plan, scratch / "exported.csv");
+  ASSERT_TRUE(comesToRest(files));
+  ASSERT_EQ(saved.count(), 1);
+  const std::string exported = bytesOf(scratch / "exported.csv");
+  EXPECT_GT(exported.size(), 1'000'000U);
+  EXPECT_TRUE(exported == bytesOf(test::profileOf(plan->job, scratch)));
+}
+
+TEST(ProfileFiles, ExportTheProfileOfARecord) {
+  const test::Scratch scratch;
+  const job::Job job = job::planJob(test::triangle600(), {}, {});
+  ProfileFiles files;
+  QSignalSpy saved(&files, &ProfileFiles::saved);
+  QSignalSpy opened(&files, &ProfileFiles::opened);
+  files.exportRecord(test::recordOf(job, scratch), scratch / "run.csv");
+  files.open(scratch / "run.csv");
+  ASSERT_TRUE(comesToRest(files));
+  ASSERT_EQ(saved.count(), 1);
+  ASSERT_EQ(opened.count(), 1);
+  EXPECT_NEAR(lastOpened(opened)->duration, job.duration, 0.01);
+  EXPECT_NE(bytesOf(scratch / "run.csv").find("vx_meas_mm_s"), std::string::npos);
+}
+
+TEST(ProfileFiles, WriteNothingForARecordThatIsNone) {
+  const test::Scratch scratch;
+  std::ofstream(scratch / "letter.csv") << "Dear customer,\n";
+  ProfileFiles files;
+  QSignalSpy failed(&files, &ProfileFiles::failed);
+  files.exportRecord(scratch / "letter.csv", scratch / "run.csv");
+  ASSERT_TRUE(comesToRest(files));
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_EQ(failed[0][0].value<base::Problem>().code, base::Code::RecordMalformed);
+  EXPECT_FALSE(std::filesystem::exists(scratch / "run.csv"));
+}
+
+TEST(ProfileFiles, KeepWhatWasOpenedLast) {
+  const test::Scratch scratch;
+  const job::Job job = job::planJob(test::triangle600(), {}, {});
+  const auto record = test::cutAt(0.5, test::recordOf(job, scratch), scratch);
+  ProfileFiles files;
+  EXPECT_FALSE(files.lastOpened());
+  files.open(record);
+  ASSERT_TRUE(comesToRest(files));
+  files.open(scratch / "missing.csv"); // changes nothing
+  ASSERT_TRUE(comesToRest(files));
+  ASSERT_TRUE(files.lastOpened());
+  EXPECT_EQ(files.lastOpened()->file, record);
+  EXPECT_EQ(files.lastOpened()->curves->name.toStdString(), record.filename());
+  EXPECT_EQ(files.lastOpened()->damage.size(), 1U);
+  files.close();
+  EXPECT_FALSE(files.lastOpened());
+}
+
 TEST(ProfileFiles, SayWhyTheyCannotBeWritten) {
   const test::Scratch scratch;
   ProfileFiles files;
