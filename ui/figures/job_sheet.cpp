@@ -34,7 +34,9 @@ constexpr double kPictureHeight = 1000;
 constexpr double kPictureMargin = 90; // of the drawing in its frame: room for the corners' numbers
 constexpr double kSheetLegendWidth = 440;
 constexpr double kSignRoom = 60;
-constexpr double kLabelShare = 0.7; // of half the width, for the name of a value
+// Of half the width, for the name of a value.
+constexpr double kRecipeNames = 0.7;
+constexpr double kMachineNames = 0.44;
 
 constexpr int kValueDecimals = 6;
 
@@ -59,7 +61,7 @@ private:
   [[nodiscard]] SheetPart corners() const;
   [[nodiscard]] SheetPart times() const;
   [[nodiscard]] SheetPart findings(const QString& title, const base::Problems& problems) const;
-  [[nodiscard]] SheetPart listOf(const QString& title, const std::vector<NamedValue>& values) const;
+  [[nodiscard]] SheetPart listOf(const QString& title, const std::vector<NamedValue>& values, double names) const;
   [[nodiscard]] std::vector<NamedValue> recipe() const;
   [[nodiscard]] std::vector<NamedValue> choices() const;
   [[nodiscard]] std::vector<NamedValue> machine() const;
@@ -161,12 +163,12 @@ SheetRow SheetMaker::legend() const {
 }
 
 // Two values in a row.
-SheetPart SheetMaker::listOf(const QString& title, const std::vector<NamedValue>& values) const {
+SheetPart SheetMaker::listOf(const QString& title, const std::vector<NamedValue>& values, double names) const {
   const double half = width() / 2;
-  const std::vector<SheetColumn> columns = {{{}, kLabelShare * half, Qt::AlignLeft},
-                                            {{}, (1 - kLabelShare) * half, Qt::AlignLeft},
-                                            {{}, kLabelShare * half, Qt::AlignLeft},
-                                            {{}, (1 - kLabelShare) * half, Qt::AlignLeft}};
+  const std::vector<SheetColumn> columns = {{{}, names * half, Qt::AlignLeft},
+                                            {{}, (1 - names) * half, Qt::AlignLeft},
+                                            {{}, names * half, Qt::AlignLeft},
+                                            {{}, (1 - names) * half, Qt::AlignLeft}};
   SheetPart part{title};
   for (std::size_t i = 0; i < values.size(); i += 2) {
     std::vector<QString> cells{values[i].name, values[i].value};
@@ -336,8 +338,8 @@ Figure SheetMaker::page(const std::vector<PlacedRow>& rows, std::size_t at, std:
 
 std::vector<Figure> SheetMaker::pages() const {
   const std::vector<SheetPart> parts = {heading(),
-                                        listOf(tr("Recipe"), recipe()),
-                                        listOf(tr("Machine"), machine()),
+                                        listOf(tr("Recipe"), recipe(), kRecipeNames),
+                                        listOf(tr("Machine"), machine(), kMachineNames),
                                         times(),
                                         findings(tr("Problems"), m_drawing->problems),
                                         findings(tr("Repairs of the drawing"), m_drawing->repairs),

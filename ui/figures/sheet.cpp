@@ -8,7 +8,7 @@ namespace arris::ui {
 namespace {
 
 // In units of figures.
-constexpr double kCellPadding = 8;
+constexpr double kCellPadding = 12;
 constexpr double kSheetPartGap = 40;
 constexpr double kLinePadding = 12; // of a row, above and below its text together
 

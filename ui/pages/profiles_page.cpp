@@ -374,9 +374,12 @@ void ProfilesPage::beginSaving() {
 // What is seen, on paper.
 Figure ProfilesPage::picture() const {
   const CurvesPointer opened = actual();
-  const QString heading = opened ? opened->name : m_plan ? nameOfFile(m_plan->import->file) : QString();
+  QString heading = opened ? opened->name : m_plan ? nameOfFile(m_plan->import->file) : QString();
   const QString values = m_planned ? profileSubheading(m_plan->job) : QString();
   const std::optional<CornerPass> pass = m_pass ? std::optional(m_passes.at(*m_pass)) : std::nullopt;
+  if (pass) {
+    heading = tr("%1, corner %2").arg(heading).arg(pass->corner);
+  }
   if (content() == Path) {
     const PathSetting setting = m_planned ? pathSettingOf(m_plan->job) : PathSetting();
     return pathFigure(m_shown, setting, heading, values, {m_path->shownBox(), pass, m_instant, limits().wheelRadius});
