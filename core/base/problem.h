@@ -100,6 +100,9 @@ enum class Code {
   NumericalFailure,
   // The machine
   DriverNotAvailable,
+  JobOfAnotherPattern,
+  JobOfAnotherMachine,
+  JobPlaceUnknown,
 };
 
 /// A named figure or word of a problem; the unit stands at the end of the name (`gap_mm`).

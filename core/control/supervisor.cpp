@@ -2,6 +2,7 @@
 
 #include "core/control/channels.h"
 #include "core/job/program_track.h"
+#include "core/program/travel.h"
 #include "core/toolpath/glass.h"
 
 #include <algorithm>
@@ -17,9 +18,6 @@ namespace {
 
 /// At the park position, mm.
 constexpr double kParked = 1e-6;
-
-/// What rounding may put outside the travel, mm.
-constexpr double kInsideTravel = 1e-6;
 
 /// A button that was pressed longer ago than this is not acted upon, s: the operator's side was held up.
 constexpr double kFresh = 0.3;
@@ -186,31 +184,9 @@ void Supervisor::supply() {
   }
 }
 
-// The origin may have been moved since the job was planned.
-std::optional<base::Problem> Supervisor::outsideTravel(const program::Program& program) const {
-  for (const motion::Segment& segment : program.track) {
-    Eigen::AlignedBox3d box;
-    if (const auto* vertical = std::get_if<motion::Vertical>(&segment.shape)) {
-      box.extend(Eigen::Vector3d(vertical->at.x(), vertical->at.y(), vertical->from));
-      box.extend(Eigen::Vector3d(vertical->at.x(), vertical->at.y(), vertical->to));
-    } else {
-      const geometry::Box plane = geometry::bounds(motion::curveOf(segment));
-      box.extend(Eigen::Vector3d(plane.min().x(), plane.min().y(), segment.z));
-      box.extend(Eigen::Vector3d(plane.max().x(), plane.max().y(), segment.z));
-    }
-    const double excess = std::max((-box.min() - m_latest.origin).maxCoeff(),
-                                   (box.max() + m_latest.origin - m_machine.travel).maxCoeff());
-    if (excess > kInsideTravel) {
-      return base::Problem(base::Code::OutsideTravel,
-                           {{"what", std::string("the way with this origin")}, {"excess_mm", excess}})
-          .at(box.center().head<2>());
-    }
-  }
-  return std::nullopt;
-}
-
 bool Supervisor::launch(program::Program program, const Plan& plan) {
-  m_refusal = outsideTravel(program);
+  // The origin may have been moved since the job was planned.
+  m_refusal = program::outsideTravel(program.track, m_machine, m_latest.origin);
   if (m_refusal || program.track.empty() || m_launching) {
     return false;
   }

@@ -129,7 +129,6 @@ private:
   template <typename Way> bool plan(Way way, bool beginsRun, const program::JobPlace& place = {});
   bool takePlan();
   void giveUpPlans();
-  [[nodiscard]] std::optional<base::Problem> outsideTravel(const program::Program& program) const;
   bool launch(program::Program program, const Plan& plan);
   [[nodiscard]] bool isIdle() const;
   [[nodiscard]] bool isBusy() const;
