@@ -98,11 +98,12 @@ enum class Code {
   // Speed
   MachineSpeedBinds,
   NumericalFailure,
-  // The machine
-  DriverNotAvailable,
+  // A job that was broken off
   JobOfAnotherPattern,
   JobOfAnotherMachine,
   JobPlaceUnknown,
+  // The machine
+  DriverNotAvailable,
 };
 
 /// A named figure or word of a problem; the unit stands at the end of the name (`gap_mm`).

@@ -46,6 +46,7 @@ void Supervisor::serve() {
   while (m_channels.reports.pop(report)) {
     take(report);
   }
+  putOriginBack();
   doWhatPanelWants();
   doWhatWaits();
   takePlan();
@@ -68,6 +69,9 @@ void Supervisor::take(const Report& report) {
 void Supervisor::noteRun(const Report& report) {
   if (!m_isRun) {
     m_isRun = report.runTick >= 0;
+    if (m_isRun) {
+      m_broken.reset();
+    }
     m_jobState = m_isRun ? JobState::Running : m_jobState;
     return;
   }
@@ -84,6 +88,7 @@ void Supervisor::noteRun(const Report& report) {
 
 void Supervisor::endRun() {
   ++m_done;
+  m_broken.reset();
   m_jobState = JobState::Ended;
   m_isRun = false;
 }
@@ -109,7 +114,13 @@ void Supervisor::doWhatPanelWants() {
   if (m_latest.state == State::Held && (m_latest.aside != Aside::OnPath || m_latest.kind == Kind::Step)) {
     m_wantsResume = true;
   } else if (m_latest.state == State::Idle && m_job) {
-    start();
+    cycleStart();
+  }
+}
+
+void Supervisor::putOriginBack() {
+  if (m_broken && m_latest.homed && m_latest.origin != m_broken->origin) {
+    setOrigin(m_broken->origin);
   }
 }
 
@@ -259,13 +270,14 @@ void Supervisor::setOverride(double factor) {
   send(command::Override{factor});
 }
 
-bool Supervisor::load(std::shared_ptr<const job::Job> job, int panes) {
+bool Supervisor::load(std::shared_ptr<const job::Job> job, int panes, const std::optional<Broken>& broken) {
   if (isBusy() || !job || !job->canBeGround() || panes < 1) {
     return false;
   }
   m_room = std::make_unique<program::Room>(*job);
   m_job = std::move(job);
   m_jobState = JobState::Initialized;
+  m_broken = broken;
   m_done = 0;
   m_ordered = panes;
   return true;
@@ -281,8 +293,16 @@ bool Supervisor::unload() {
   }
   m_room.reset();
   m_job.reset();
+  m_broken.reset();
   m_jobState = JobState::Idle;
   return true;
+}
+
+bool Supervisor::cycleStart() {
+  if (m_broken) {
+    return m_latest.origin == m_broken->origin && startFrom(m_broken->place);
+  }
+  return m_jobState == JobState::Aborted ? startFrom(m_latest.place) : start();
 }
 
 bool Supervisor::start() {
