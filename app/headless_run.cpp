@@ -79,8 +79,14 @@ private:
     constexpr double kSoon = 5;
     return until([this] { return latest().tick > 0; }, kSoon) && m_station.operatorSide().enable() &&
            until([this] { return latest().drivesReady; }, kSoon) && m_station.operatorSide().home() &&
-           until([this] { return latest().state == State::Idle && latest().homed; }, kHomingPatience) && park() &&
-           m_station.operatorSide().load(m_job, panesLeft()) && start();
+           until([this] { return latest().state == State::Idle && latest().homed; }, kHomingPatience) && setOrigin() &&
+           park() && m_station.operatorSide().load(m_job, panesLeft()) && start();
+  }
+
+  bool setOrigin() {
+    constexpr double kSoon = 5;
+    return latest().origin == m_run.origin || (m_station.operatorSide().setOrigin(m_run.origin) &&
+                                               until([this] { return latest().origin == m_run.origin; }, kSoon));
   }
 
   bool park() {

@@ -28,6 +28,7 @@ struct HeadlessRun {
   double overrideFactor = 1;
   std::vector<Injection> injections;
   std::optional<program::JobPlace> from; ///< resumes there
+  Eigen::Vector3d origin{0, 0, 0};       ///< G54 of the job that is resumed, mm
   control::PaneOrder panes;              ///< one after the other; on a real machine each next one by cycle start
 };
 

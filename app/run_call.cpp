@@ -4,8 +4,8 @@
 #include "app/interruption.h"
 #include "app/job_request.h"
 #include "app/messages.h"
+#include "core/control/broken_job.h"
 #include "core/files/file_hash.h"
-#include "core/files/resume_point.h"
 #include "core/files/run_record.h"
 
 #include <CLI/App.hpp>
@@ -16,6 +16,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 namespace arris::app {
 namespace {
@@ -91,22 +92,20 @@ OrStatus<std::vector<Injection>> injectionsOf(const std::vector<std::string>& te
 }
 
 /// Where the job of this pattern was broken off.
-OrStatus<files::ResumePoint> resumePoint(const fs::path& file, const std::string& patternHash) {
-  const auto text = load(file);
-  if (!text) {
-    complain("there is no job to resume");
-    return tl::unexpected(text.error());
-  }
-  auto read = files::readResumePoint(*text, file.string());
-  if (const ExitStatus status = tellAndJudge(read.problems); status != ExitStatus::Done) {
+OrStatus<files::ResumePoint> resumePoint(const control::StateFolder& folder, const std::string& patternHash) {
+  control::FoundJob found = control::findBrokenJob(folder);
+  if (const ExitStatus status = tellAndJudge(found.problems); status != ExitStatus::Done) {
     return tl::unexpected(status);
   }
-  if (read.value.patternHash != patternHash) {
-    complain(fmt::format("the job that was broken off is of another pattern or an earlier state of it: {}",
-                         read.value.patternFile));
+  if (!found.job) {
+    complain("there is no job to resume");
+    return tl::unexpected(ExitStatus::SystemFailure);
+  }
+  if (const auto problem = control::checkPattern(found.job->point, patternHash)) {
+    tell({&*problem, 1});
     return tl::unexpected(ExitStatus::WrongUsage);
   }
-  return std::move(read.value);
+  return std::move(found.job->point);
 }
 
 } // namespace
@@ -151,14 +150,17 @@ ExitStatus runJob(const Arguments& arguments) {
   run.overrideFactor = runRequest.overridePercent / 100;
   run.injections = *injections;
   run.panes.ordered = runRequest.count;
+  std::optional<files::ResumePoint> resumed;
   if (runRequest.resumes) {
-    const auto point = resumePoint(run.folder.resumePoint(), run.patternHash);
+    const auto point = resumePoint(run.folder, run.patternHash);
     if (!point) {
       return point.error();
     }
     *settings = {point->recipe, point->machine};
     run.from = point->place;
+    run.origin = point->origin;
     run.panes = {point->pane, point->panes};
+    resumed = *point;
   }
   watchForInterruption();
   auto planned = planJobIn(*bytes, request.pattern, *settings);
@@ -168,6 +170,10 @@ ExitStatus runJob(const Arguments& arguments) {
   if (!planned->job.canBeGround()) {
     const ExitStatus status = writeOutputs(request, *planned);
     return status == ExitStatus::Done ? ExitStatus::CannotBeGround : status;
+  }
+  if (const auto problem = resumed ? control::checkPlace(*resumed, planned->job) : std::nullopt) {
+    tell({&*problem, 1});
+    return ExitStatus::WrongUsage;
   }
   const Executed executed = execute(run, std::make_shared<const job::Job>(planned->job));
   if (executed.record.empty()) {

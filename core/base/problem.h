@@ -100,6 +100,10 @@ enum class Code {
   // Speed
   MachineSpeedBinds,
   NumericalFailure,
+  // A job that was broken off
+  JobOfAnotherPattern,
+  JobOfAnotherMachine,
+  JobPlaceUnknown,
   // The machine
   DriverNotAvailable,
 };

@@ -143,6 +143,14 @@ const std::vector<CodeInfo>& allCodes() {
        "The machine's greatest speed of the {axis} axis is below the feed; it limits the speed on the contour."},
       {NumericalFailure, "numerical-failure", Error, "Internal error: {reason}."},
 
+      {JobOfAnotherPattern, "job-of-another-pattern", Error,
+       "The job that was broken off is of another pattern or an earlier state of it: {file} had the fingerprint {was}, "
+       "now it has {is}."},
+      {JobOfAnotherMachine, "job-of-another-machine", Error,
+       "The job that was broken off was planned for another machine: {key} was {was}, now it is {is}."},
+      {JobPlaceUnknown, "job-place-unknown", Error,
+       "The place where the job was broken off (segment {segment}, {lambda_mm} mm) is not on the job as it is planned "
+       "now."},
       {DriverNotAvailable, "driver-not-available", Error, "Axes through LinuxCNC are not available: {reason}."},
   };
   return kTable;

@@ -207,6 +207,10 @@ State Controller::choose(Event event, State state) const {
 
 void Controller::handle(Event event) {
   m_report.stops += event == Event::Stop ? 1 : 0;
+  if (event == Event::Stop && (m_state == State::Idle || m_state == State::NotHomed)) { // what turns by hand
+    m_spindle = 0;
+    m_coolant = false;
+  }
   const std::optional<State> state = next(m_state, event);
   if (!state || !mayFollow(event)) {
     ++m_report.refused;
@@ -376,6 +380,7 @@ void Controller::tell() {
   m_report.program = m_program.number;
   m_report.kind = m_program.kind;
   m_report.overrideFactor = m_override;
+  m_report.mayJog = mayJog();
   m_report.measuredTick = m_feedback.tick;
   m_report.measured = tableOf(m_feedback.position);
   m_report.origin = m_origin;

@@ -180,6 +180,10 @@ void Controller::tellSegment(const motion::SetPoint& at) {
     m_travelled += motion::arcLength(left, motion::parameterLength(left));
   }
   const Segment& on = view.segment(at.segment);
+  if (at.segment != m_report.segment || m_pathTick == 1) {
+    m_report.segmentEnd = motion::evaluate(on, motion::parameterLength(on)).point;
+    m_report.feed = on.feed;
+  }
   m_report.segment = at.segment;
   m_report.lambda = at.lambda;
   m_report.move = on.move;

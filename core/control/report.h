@@ -30,10 +30,13 @@ struct Report {
   double lambda = 0, speed = 0, acceleration = 0; ///< of λ: mm, mm/s, mm/s²
   motion::Move move = motion::Move::Approach;     ///< of that segment, as the following
   int contour = 0, number = 0, corner = 0;
-  int stopCorner = 0;      ///< the corner at which the wheel stops at its end; 0 none
-  double path = 0;         ///< true length travelled in the run, mm
-  program::JobPlace place; ///< on the job's way, the last one known
+  int stopCorner = 0;                  ///< the corner at which the wheel stops at its end; 0 none
+  double path = 0;                     ///< true length travelled in the run, mm
+  program::JobPlace place;             ///< on the job's way, the last one known
+  Eigen::Vector3d segmentEnd{0, 0, 0}; ///< where that segment of the program ends
+  double feed = 0;                     ///< mm/s, programmed for it at an override of 100 %
   double overrideFactor = 1;
+  bool mayJog = true; ///< the panel's jog enable is held, or not required
   Eigen::Vector3d commanded{0, 0, 0};
   Eigen::Vector3d velocity{0, 0, 0};         ///< commanded, mm/s
   Eigen::Vector3d axisAcceleration{0, 0, 0}; ///< commanded, mm/s²

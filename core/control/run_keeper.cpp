@@ -69,6 +69,7 @@ void RunKeeper::add(const Report& report) {
       const bool done = report.jobsEnded > m_jobsBefore;
       if (done) {
         event(m_last, "pane-done", {{"pane", std::int64_t{m_pane}}});
+        m_isPaneOver = true;
         m_resumePoint.remove();
       } else {
         keepPlace(m_last, m_last.state == State::EmergencyStop ? files::Ended::EmergencyStop
@@ -96,8 +97,15 @@ files::Alarm RunKeeper::add(const FaultReport& fault) {
   return alarm;
 }
 
+void RunKeeper::nothingLeft() {
+  m_pane += m_isPaneOver ? 1 : 0;
+  m_isPaneOver = true;
+  m_resumePoint.remove();
+}
+
 void RunKeeper::beginRun() {
-  ++m_pane;
+  m_pane += m_isPaneOver ? 1 : 0;
+  m_isPaneOver = false;
   m_endTick = -1;
   keep(files::dropOldRecords(m_folder.records()));
   const std::string now = m_wallClock();
@@ -166,6 +174,7 @@ void RunKeeper::keepPlace(const Report& report, files::Ended ended) {
   point.machine = m_job->machine;
   point.place = report.place.segment >= 0 ? report.place : program::JobPlace{0, 0};
   point.position = report.measured;
+  point.origin = report.origin;
   point.contour = report.contour;
   point.time = static_cast<double>(std::max<std::int64_t>(0, report.runTick)) * m_job->machine.period;
   point.pane = m_pane;

@@ -50,6 +50,10 @@ struct StateFolder {
   [[nodiscard]] std::filesystem::path counters() const {
     return root / "counters.json";
   }
+
+  [[nodiscard]] std::filesystem::path paneJournal() const {
+    return root / "panes.jsonl";
+  }
 };
 
 /// The resume point is written so often, s of the run.
@@ -80,10 +84,18 @@ public:
   /// Into the record and the alarm log; gives back what stands in the log.
   files::Alarm add(const FaultReport& fault);
 
-  /// Nothing is left of the pane that was broken off: there is no more to resume.
-  void nothingLeft() {
-    ++m_pane;
-    m_resumePoint.remove();
+  /// Nothing is left of the pane that was broken off, or it has been given up: there is no more to resume, and the next
+  /// run is of the next pane.
+  void nothingLeft();
+
+  /// So many panes are to be ground now, rejects counted.
+  void setOrdered(int panes) {
+    m_panesOrdered = panes;
+  }
+
+  /// Of the present or the last run; the one before the first where none has begun.
+  [[nodiscard]] int pane() const {
+    return m_pane;
   }
 
   /// Everything of the run that has ended is in its record.
@@ -118,6 +130,7 @@ private:
   std::int64_t m_endTick = -1;   ///< of the last row of a run that has ended
   std::int64_t m_jobsBefore = 0; ///< jobs ended when the run began
   int m_pane;                    ///< of the present or the last run
+  bool m_isPaneOver = true;      ///< the next run is of the next pane, not of one that was broken off
   int m_panesOrdered;
   base::Problems m_problems;
 };

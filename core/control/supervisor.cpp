@@ -2,6 +2,7 @@
 
 #include "core/control/channels.h"
 #include "core/job/program_track.h"
+#include "core/program/travel.h"
 #include "core/toolpath/glass.h"
 
 #include <algorithm>
@@ -17,9 +18,6 @@ namespace {
 
 /// At the park position, mm.
 constexpr double kParked = 1e-6;
-
-/// What rounding may put outside the travel, mm.
-constexpr double kInsideTravel = 1e-6;
 
 /// A button that was pressed longer ago than this is not acted upon, s: the operator's side was held up.
 constexpr double kFresh = 0.3;
@@ -48,6 +46,7 @@ void Supervisor::serve() {
   while (m_channels.reports.pop(report)) {
     take(report);
   }
+  putOriginBack();
   doWhatPanelWants();
   doWhatWaits();
   takePlan();
@@ -70,6 +69,9 @@ void Supervisor::take(const Report& report) {
 void Supervisor::noteRun(const Report& report) {
   if (!m_isRun) {
     m_isRun = report.runTick >= 0;
+    if (m_isRun) {
+      m_broken.reset();
+    }
     m_jobState = m_isRun ? JobState::Running : m_jobState;
     return;
   }
@@ -86,6 +88,7 @@ void Supervisor::noteRun(const Report& report) {
 
 void Supervisor::endRun() {
   ++m_done;
+  m_broken.reset();
   m_jobState = JobState::Ended;
   m_isRun = false;
 }
@@ -111,7 +114,13 @@ void Supervisor::doWhatPanelWants() {
   if (m_latest.state == State::Held && (m_latest.aside != Aside::OnPath || m_latest.kind == Kind::Step)) {
     m_wantsResume = true;
   } else if (m_latest.state == State::Idle && m_job) {
-    start();
+    cycleStart();
+  }
+}
+
+void Supervisor::putOriginBack() {
+  if (m_broken && m_latest.homed && m_latest.origin != m_broken->origin) {
+    setOrigin(m_broken->origin);
   }
 }
 
@@ -186,31 +195,9 @@ void Supervisor::supply() {
   }
 }
 
-// The origin may have been moved since the job was planned.
-std::optional<base::Problem> Supervisor::outsideTravel(const program::Program& program) const {
-  for (const motion::Segment& segment : program.track) {
-    Eigen::AlignedBox3d box;
-    if (const auto* vertical = std::get_if<motion::Vertical>(&segment.shape)) {
-      box.extend(Eigen::Vector3d(vertical->at.x(), vertical->at.y(), vertical->from));
-      box.extend(Eigen::Vector3d(vertical->at.x(), vertical->at.y(), vertical->to));
-    } else {
-      const geometry::Box plane = geometry::bounds(motion::curveOf(segment));
-      box.extend(Eigen::Vector3d(plane.min().x(), plane.min().y(), segment.z));
-      box.extend(Eigen::Vector3d(plane.max().x(), plane.max().y(), segment.z));
-    }
-    const double excess = std::max((-box.min() - m_latest.origin).maxCoeff(),
-                                   (box.max() + m_latest.origin - m_machine.travel).maxCoeff());
-    if (excess > kInsideTravel) {
-      return base::Problem(base::Code::OutsideTravel,
-                           {{"what", std::string("the way with this origin")}, {"excess_mm", excess}})
-          .at(box.center().head<2>());
-    }
-  }
-  return std::nullopt;
-}
-
 bool Supervisor::launch(program::Program program, const Plan& plan) {
-  m_refusal = outsideTravel(program);
+  // The origin may have been moved since the job was planned.
+  m_refusal = program::outsideTravel(program.track, m_machine, m_latest.origin);
   if (m_refusal || program.track.empty() || m_launching) {
     return false;
   }
@@ -283,13 +270,14 @@ void Supervisor::setOverride(double factor) {
   send(command::Override{factor});
 }
 
-bool Supervisor::load(std::shared_ptr<const job::Job> job, int panes) {
+bool Supervisor::load(std::shared_ptr<const job::Job> job, int panes, const std::optional<Broken>& broken) {
   if (isBusy() || !job || !job->canBeGround() || panes < 1) {
     return false;
   }
   m_room = std::make_unique<program::Room>(*job);
   m_job = std::move(job);
   m_jobState = JobState::Initialized;
+  m_broken = broken;
   m_done = 0;
   m_ordered = panes;
   return true;
@@ -305,8 +293,16 @@ bool Supervisor::unload() {
   }
   m_room.reset();
   m_job.reset();
+  m_broken.reset();
   m_jobState = JobState::Idle;
   return true;
+}
+
+bool Supervisor::cycleStart() {
+  if (m_broken) {
+    return m_latest.origin == m_broken->origin && startFrom(m_broken->place);
+  }
+  return m_jobState == JobState::Aborted ? startFrom(m_latest.place) : start();
 }
 
 bool Supervisor::start() {

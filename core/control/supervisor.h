@@ -26,6 +26,13 @@ public:
     std::function<void(const FaultReport&)> fault;
   };
 
+  /// Where a job was broken off by an earlier process, and where the table's zero was then. It is put there again
+  /// before the job can be gone on with.
+  struct Broken {
+    program::JobPlace place;
+    Eigen::Vector3d origin{0, 0, 0};
+  };
+
   /// What the wheel is to do is planned in a thread of its own, as it may take longer than the controller waits for a
   /// call of `serve`; with `std::launch::deferred` in the call that asks for it or in `serve`, for simulated time.
   Supervisor(recipe::Machine machine, Channels& channels, Listener listener = {},
@@ -64,6 +71,11 @@ public:
     return m_refusal;
   }
 
+  /// Where the job that is loaded is taken up by the next cycle start, where an earlier process broke it off.
+  [[nodiscard]] const std::optional<Broken>& broken() const {
+    return m_broken;
+  }
+
   /// Panes ground of the job that is loaded, of those ordered. More may be ground than were ordered.
   [[nodiscard]] int panesDone() const {
     return m_done;
@@ -87,11 +99,15 @@ public:
   bool coolantByHand(bool on);
   void setOverride(double factor);
 
-  /// A job that can be ground, in a state without a program, for so many panes.
-  bool load(std::shared_ptr<const job::Job> job, int panes = 1);
+  /// A job that can be ground, in a state without a program, for so many panes; the first of them from where an earlier
+  /// process broke it off.
+  bool load(std::shared_ptr<const job::Job> job, int panes = 1, const std::optional<Broken>& broken = std::nullopt);
   bool unload();
 
-  /// Cycle start: the next pane.
+  /// Cycle start, on the screen or of the panel: the pane that was broken off from where it was, or else the next one.
+  bool cycleStart();
+
+  /// The next pane.
   bool start();
 
   /// The job again from a place where it was broken off, once the operator has said so.
@@ -124,12 +140,12 @@ private:
   void watchPanel(const Report& report);
   void doWhatPanelWants();
   void doWhatWaits();
+  void putOriginBack();
   void supply();
   bool send(const Command& command);
   template <typename Way> bool plan(Way way, bool beginsRun, const program::JobPlace& place = {});
   bool takePlan();
   void giveUpPlans();
-  [[nodiscard]] std::optional<base::Problem> outsideTravel(const program::Program& program) const;
   bool launch(program::Program program, const Plan& plan);
   [[nodiscard]] bool isIdle() const;
   [[nodiscard]] bool isBusy() const;
@@ -145,6 +161,7 @@ private:
   Report m_latest;
   JobState m_jobState = JobState::Idle;
   bool m_isRun = false; ///< a run has begun and not ended
+  std::optional<Broken> m_broken;
   int m_done = 0;
   int m_ordered = 0;
   std::optional<base::Problem> m_refusal;

@@ -1,13 +1,9 @@
 #include "core/files/alarm_log.h"
 
-#include "core/files/descriptor.h"
+#include "core/files/append_line.h"
 #include "core/files/json_members.h"
 #include "core/files/whole_file.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <map>
 #include <optional>
 #include <system_error>
@@ -28,7 +24,7 @@ std::string lineOf(const Alarm& alarm) {
   object["text"] = alarm.text;
   object["values"] = valuesToJson(alarm.values);
   object["acknowledged"] = alarm.acknowledged;
-  return oneLine(object) + "\n";
+  return oneLine(object);
 }
 
 std::optional<Alarm> alarmFrom(std::string_view line) {
@@ -52,40 +48,17 @@ Expected<void> dropOlderHalf(const path& log) {
   });
 }
 
-// A line that a power failure left half must not take the next one with it.
-bool endsInALine(int descriptor, off_t size) {
-  char last = '\n';
-  return size == 0 || (pread(descriptor, &last, 1, size - 1) == 1 && last == '\n');
-}
-
 } // namespace
 
 Expected<void> appendAlarm(const path& log, const Alarm& alarm, std::size_t largest) {
-  const WriteSignalsBlocked blocked;
   std::string line = lineOf(alarm);
   std::error_code none;
-  if (const auto size = std::filesystem::file_size(log, none); !none && size + line.size() >= largest) {
+  if (const auto size = std::filesystem::file_size(log, none); !none && size + line.size() + 1 >= largest) {
     if (auto dropped = dropOlderHalf(log); !dropped) {
       return dropped;
     }
   }
-  constexpr mode_t kAsTheUserMaskAllows = 0666;
-  Descriptor descriptor(open(log.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, kAsTheUserMaskAllows));
-  if (!descriptor.isOpen()) {
-    return Unexpected(systemProblem(Code::CannotWrite, log, errno));
-  }
-  if (!endsInALine(descriptor.number(), lseek(descriptor.number(), 0, SEEK_END))) {
-    line.insert(line.begin(), '\n');
-  }
-  Output output(descriptor.number());
-  output.write(line);
-  if (output.failed()) {
-    return Unexpected(systemProblem(Code::CannotWrite, log, output.error()));
-  }
-  if (fsync(descriptor.number()) != 0 || !descriptor.close()) {
-    return Unexpected(systemProblem(Code::CannotWrite, log, errno));
-  }
-  return {};
+  return appendLine(log, std::move(line));
 }
 
 Expected<AlarmLog> readAlarmLog(const path& log) {

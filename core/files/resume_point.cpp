@@ -25,9 +25,9 @@ constexpr int kResumeVersion = 1;
 constexpr std::array<std::string_view, 6> kEndedWords{"running", "held",           "stopped",
                                                       "fault",   "emergency-stop", "interrupted"};
 
-constexpr std::array<std::string_view, 12> kResumeKeys{kResumeKey,    "pattern", "segment", "lambda_mm",
-                                                       "position_mm", "contour", "t_s",     "pane",
-                                                       "panes",       "ended",   "recipe",  "machine"};
+constexpr std::array<std::string_view, 13> kResumeKeys{kResumeKey,  "pattern", "segment", "lambda_mm", "position_mm",
+                                                       "origin_mm", "contour", "t_s",     "pane",      "panes",
+                                                       "ended",     "recipe",  "machine"};
 
 constexpr int kMostSegments = std::numeric_limits<int>::max() - 1;
 constexpr double kLongestSegment = 1e7; ///< mm
@@ -53,6 +53,9 @@ ResumePoint pointFrom(const Json& object, std::string_view file, Problems& probl
   point.place.segment = members.count("segment", -1, kMostSegments);
   point.place.lambda = members.number("lambda_mm", 0, kLongestSegment, "mm");
   point.position = members.vector("position_mm", -recipe::kFarthestPlace, recipe::kFarthestPlace, "mm");
+  if (object.contains("origin_mm")) { // points of the first version have none
+    point.origin = members.vector("origin_mm", -recipe::kFarthestPlace, recipe::kFarthestPlace, "mm");
+  }
   point.contour = members.count("contour", 0, kMostSegments);
   point.time = members.number("t_s", 0, kLongestRun, "s");
   point.pane = members.count("pane", 1, kMostPanes);
@@ -76,6 +79,7 @@ std::string writeResumePoint(const ResumePoint& point) {
   json.member("segment", point.place.segment);
   json.member("lambda_mm", point.place.lambda);
   json.member("position_mm", std::span<const double>(point.position.data(), 3));
+  json.member("origin_mm", std::span<const double>(point.origin.data(), 3));
   json.member("contour", point.contour);
   json.member("t_s", point.time);
   json.member("pane", point.pane);

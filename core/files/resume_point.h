@@ -20,6 +20,7 @@ struct ResumePoint {
   recipe::Machine machine;
   program::JobPlace place;           ///< of the wheel on the job's way
   Eigen::Vector3d position{0, 0, 0}; ///< where the wheel truly was, table coordinates, mm
+  Eigen::Vector3d origin{0, 0, 0};   ///< G54 then: the table's zero in machine coordinates, mm
   int contour = 0;                   ///< from 1; 0 off the contours
   double time = 0;                   ///< `t_s` of the run, s
   int pane = 1;                      ///< pane `pane` of `panes`
@@ -32,8 +33,8 @@ struct ResumePoint {
 /// also after a power failure.
 [[nodiscard]] std::string writeResumePoint(const ResumePoint& point);
 
-/// From the text of the file. Reports every wrong or absent value by name with its unit and range; an unknown key is a
-/// warning, a newer version is refused. `file` names it in the problems.
+/// From the text of the file; without an origin in it the origin is 0. Reports every wrong or absent value by name with
+/// its unit and range; an unknown key is a warning, a newer version is refused. `file` names it in the problems.
 [[nodiscard]] Read<ResumePoint> readResumePoint(std::string_view text, std::string_view file);
 
 } // namespace arris::files

@@ -1,6 +1,8 @@
 #include "ui/pages/run_page.h"
 
-#include "core/files/run_record.h"
+#include "ui/pages/order_panel.h"
+#include "ui/pages/resume_bar.h"
+#include "ui/text/machine_texts.h"
 #include "ui/text/quantities.h"
 #include "ui/views/drawing_view.h"
 #include "ui/widgets/hold_button.h"
@@ -11,12 +13,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace arris::ui {
-
-using control::State;
 
 namespace {
 
@@ -25,6 +25,7 @@ constexpr int kProgressSteps = 1000;
 constexpr double kOverrideStep = 0.1;
 constexpr double kStepLength = 10; // mm
 constexpr int kPlaceDecimals = 3;
+constexpr int kPlaceSize = 22; // px
 
 QLabel* makeFigure(const QString& name) {
   auto* label = new QLabel;
@@ -36,12 +37,13 @@ QLabel* makeFigure(const QString& name) {
 } // namespace
 
 RunPage::RunPage(Planner& planner, MachineLink& machine, QWidget* parent)
-    : QWidget(parent), m_machine(machine), m_drawing(new DrawingView), m_speed(makeFigure(QStringLiteral("speed"))),
-      m_override(makeFigure(QStringLiteral("override"))), m_services(new QLabel), m_panes(new QLabel),
-      m_revision(new QLabel), m_progress(new QProgressBar), m_left(new QLabel),
+    : QWidget(parent), m_planner(planner), m_machine(machine), m_drawing(new DrawingView),
+      m_speed(makeFigure(QStringLiteral("speed"))), m_override(makeFigure(QStringLiteral("override"))),
+      m_services(new QLabel), m_progress(new QProgressBar), m_left(new QLabel),
       m_start(new HoldButton(tr("CYCLE START"))) {
   auto* column = new QVBoxLayout;
   column->setSpacing(6);
+  column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(makePlaces());
   column->addWidget(makeOverride());
   m_services->setObjectName(QStringLiteral("services"));
@@ -53,51 +55,72 @@ RunPage::RunPage(Planner& planner, MachineLink& machine, QWidget* parent)
   m_left->setObjectName(QStringLiteral("timeLeft"));
   column->addWidget(m_left);
   column->addStretch(1);
-  column->addWidget(makePanes());
   makeCommands(*column);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(6, 4, 6, 4);
-  layout->addWidget(m_drawing, 1);
+  auto* main = new QVBoxLayout;
+  main->setSpacing(4);
+  main->addWidget(new ResumeBar(machine));
+  main->addWidget(m_drawing, 1);
+  main->addWidget(new OrderPanel(planner, machine));
   auto* side = new QWidget;
   side->setFixedWidth(kColumnWidth);
   side->setLayout(column);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(6, 4, 6, 4);
+  layout->addLayout(main, 1);
   layout->addWidget(side);
-  connect(&planner, &Planner::planned, this, &RunPage::showPlan);
+  connect(&planner, &Planner::planned, this, [this] {
+    showDrawing();
+    showAllowed();
+  });
   connect(&machine, &MachineLink::changed, this, [this] {
     showDrawing();
     showAllowed();
   });
-  connect(&machine, &MachineLink::reported, this, &RunPage::showReport);
-  showPlan(planner.plan());
+  connect(&machine, &MachineLink::reported, this, [this] {
+    if (isVisible()) {
+      showReport();
+    }
+  });
+  connect(&machine.resumeOffer(), &ResumeOffer::ready, this, &RunPage::openTakenUp);
+  showDrawing();
+  showAllowed();
   showReport();
 }
 
+// To go: to the end of the line, arc or transition that the wheel is on, axis by axis, as machine operators know it.
 QWidget* RunPage::makePlaces() {
   auto* box = new QWidget;
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setVerticalSpacing(2);
-  grid->addWidget(new QLabel(tr("Table, mm")), 0, 1, Qt::AlignRight);
-  grid->addWidget(new QLabel(tr("Machine, mm")), 0, 2, Qt::AlignRight);
+  grid->addWidget(new QLabel(inShownUnits(tr("mm"))), 0, 0);
+  const std::array<QString, 3> captions{tr("Table"), tr("Machine"), tr("To go")};
+  for (int i = 0; i < 3; ++i) {
+    auto* caption = new QLabel(captions.at(static_cast<std::size_t>(i)));
+    grid->addWidget(caption, 0, i + 1, Qt::AlignRight);
+    grid->setColumnStretch(i + 1, 1);
+  }
   QFont large = font();
-  large.setPixelSize(24);
+  large.setPixelSize(kPlaceSize);
   for (int axis = 0; axis < control::kAxes; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
     const QString name(QStringLiteral("XYZ").at(axis));
     auto* caption = new QLabel(name);
     m_places[i] = makeFigure(QStringLiteral("place") + name);
     m_machinePlaces[i] = makeFigure(QStringLiteral("machine") + name);
+    m_toGo[i] = makeFigure(QStringLiteral("toGo") + name);
     caption->setFont(large);
     m_places[i]->setFont(large);
     grid->addWidget(caption, axis + 1, 0);
     grid->addWidget(m_places[i], axis + 1, 1);
     grid->addWidget(m_machinePlaces[i], axis + 1, 2);
+    grid->addWidget(m_toGo[i], axis + 1, 3);
   }
-  grid->addWidget(new QLabel(tr("Speed, mm/s")), control::kAxes + 1, 0, 1, 2);
-  grid->addWidget(m_speed, control::kAxes + 1, 2);
-  grid->setColumnStretch(1, 1);
-  grid->setColumnStretch(2, 1);
+  grid->addWidget(new QLabel(tr("Speed")), control::kAxes + 1, 0, 1, 2);
+  grid->addWidget(m_speed, control::kAxes + 1, 1, 1, 3);
+  auto* toGo = new QLabel(tr("To go: to the end of the line or arc that the wheel is on."));
+  toGo->setWordWrap(true);
+  grid->addWidget(toGo, control::kAxes + 2, 0, 1, 4);
   return box;
 }
 
@@ -118,35 +141,6 @@ QWidget* RunPage::makeOverride() {
   row->addWidget(m_override);
   add(QStringLiteral("+"), QStringLiteral("overrideUp"), tr("Higher feed override"), kOverrideStep);
   m_override->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("000 %")) + 4);
-  return box;
-}
-
-QWidget* RunPage::makePanes() {
-  auto* box = new QWidget;
-  auto* grid = new QGridLayout(box);
-  grid->setContentsMargins(0, 0, 0, 0);
-  m_fewer = new QPushButton(QStringLiteral("−"));
-  m_more = new QPushButton(QStringLiteral("+"));
-  m_fewer->setProperty("sign", true);
-  m_more->setProperty("sign", true);
-  m_fewer->setAccessibleName(tr("Fewer panes"));
-  m_more->setAccessibleName(tr("More panes"));
-  m_fewer->setObjectName(QStringLiteral("panesFewer"));
-  m_more->setObjectName(QStringLiteral("panesMore"));
-  connect(m_fewer, &QPushButton::clicked, this, [this] { changePanes(-1); });
-  connect(m_more, &QPushButton::clicked, this, [this] { changePanes(1); });
-  m_panes->setAlignment(Qt::AlignCenter);
-  m_load = makeButton(tr("Load job"), QStringLiteral("loadJob"), &RunPage::loadPlan);
-  m_revision->setWordWrap(true);
-  m_revision->setObjectName(QStringLiteral("revision"));
-  m_revision->setMinimumHeight(2 * fontMetrics().lineSpacing()); // nothing jumps when it fills
-  grid->addWidget(m_revision, 0, 0, 1, 5);
-  grid->addWidget(new QLabel(tr("Panes")), 1, 0);
-  grid->addWidget(m_fewer, 1, 1);
-  grid->addWidget(m_panes, 1, 2);
-  grid->addWidget(m_more, 1, 3);
-  grid->addWidget(m_load, 1, 4);
-  changePanes(0);
   return box;
 }
 
@@ -172,58 +166,27 @@ void RunPage::makeCommands(QVBoxLayout& column) {
   column.addWidget(m_start);
 }
 
-void RunPage::showPlan(const PlanPointer& plan) {
-  m_plan = plan && plan->job.canBeGround() ? plan : nullptr;
-  showDrawing();
-  showAllowed();
-}
-
 // What the controller has, or else what it would get.
 void RunPage::showDrawing() {
-  const PlanPointer& shown = m_machine.loaded() ? m_machine.loaded() : m_plan;
-  m_drawing->setPlan(shown);
-  m_revision->setText(m_machine.loaded() && m_plan && m_plan != m_machine.loaded()
-                          ? tr("Changed since it was loaded: load the job again for the next pane.")
-                          : QString());
+  const PlanPointer& plan = m_planner.plan();
+  m_drawing->setPlan(m_machine.loaded() ? m_machine.loaded() : plan && plan->job.canBeGround() ? plan : nullptr);
 }
 
 void RunPage::showAllowed() {
   const Allowed allowed = m_machine.allowed();
-  m_load->setEnabled(allowed.load && m_plan);
   m_start->setEnabled(allowed.start);
   m_resume->setEnabled(allowed.resume);
   m_back->setEnabled(allowed.step);
   m_on->setEnabled(allowed.step);
-  m_start->setText(m_machine.jobState() == control::JobState::Aborted ? tr("CYCLE START\nwhere it was broken off")
-                                                                      : tr("CYCLE START"));
+  m_start->setText(m_machine.goesOnWithAPane() ? tr("CYCLE START\nwhere it was broken off") : tr("CYCLE START"));
 }
 
 void RunPage::showReport() {
-  if (!isVisible()) {
-    return;
-  }
   const control::Report& report = m_machine.report();
-  const QLocale locale;
-  const Eigen::Vector3d inMachine = report.measured + report.origin;
-  for (int axis = 0; axis < control::kAxes; ++axis) {
-    const auto i = static_cast<std::size_t>(axis);
-    m_places[i]->setText(report.homed ? fixedText(report.measured[axis], kPlaceDecimals, locale) : QStringLiteral("–"));
-    m_machinePlaces[i]->setText(report.homed ? fixedText(inMachine[axis], kPlaceDecimals, locale)
-                                             : QStringLiteral("–"));
-  }
-  m_speed->setText(fixedText(report.velocity.norm(), 1, locale));
+  showPlaces();
   m_override->setText(tr("%1 %").arg(std::lround(100 * report.overrideFactor)));
-  m_services->setText(tr("Spindle: %1\nCoolant: %2\nVacuum: %3")
-                          .arg(report.outputs.spindleSpeed == 0 ? tr("off")
-                               : report.inputs.spindleAtSpeed   ? tr("at speed")
-                                                                : tr("comes up to speed"),
-                               report.inputs.coolantFlows ? tr("flows") : tr("off"),
-                               report.inputs.vacuumHolds ? tr("holds the glass") : tr("off")));
-  m_progress->setValue(m_machine.loaded() && report.runTick >= 0
-                           ? static_cast<int>(std::lround(kProgressSteps * m_machine.progress()))
-                           : 0);
-  m_left->setText(report.runTick >= 0 ? tr("Time left: %1").arg(durationText(m_machine.timeLeft(), locale))
-                                      : QStringLiteral(" "));
+  m_services->setText(servicesText(report));
+  showProgress();
   if (report.homed) {
     const bool shows = m_machine.loaded() && m_machine.jobState() != control::JobState::Initialized;
     m_drawing->setWheel(LiveWheel{report.measured.head<2>(), shows ? report.place : program::JobPlace()});
@@ -232,20 +195,43 @@ void RunPage::showReport() {
   }
 }
 
-void RunPage::loadPlan() {
-  if (m_plan) {
-    m_machine.load(m_plan, m_order);
+void RunPage::showPlaces() {
+  const control::Report& report = m_machine.report();
+  const QLocale locale;
+  const QString unknown = QStringLiteral("–");
+  const bool goes = report.homed && report.program != 0 && report.segment >= 0;
+  const Eigen::Vector3d inMachine = report.measured + report.origin;
+  const Eigen::Vector3d toGo = report.segmentEnd - report.measured;
+  for (int axis = 0; axis < control::kAxes; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    const auto text = [&](double value) { return fixedLengthText(value, kPlaceDecimals, locale); };
+    m_places[i]->setText(report.homed ? text(report.measured[axis]) : unknown);
+    m_machinePlaces[i]->setText(report.homed ? text(inMachine[axis]) : unknown);
+    m_toGo[i]->setText(goes ? text(toGo[axis]) : unknown);
   }
+  const auto feed = [&](double speed) { return fixedLengthText(60 * speed, 0, locale); };
+  m_speed->setText(goes ? inShownUnits(tr("%1 of %2 mm/min"))
+                              .arg(feed(report.velocity.norm()), feed(report.feed * report.overrideFactor))
+                        : inShownUnits(tr("%1 mm/min")).arg(feed(report.velocity.norm())));
+}
+
+void RunPage::showProgress() {
+  const QLocale locale;
+  m_progress->setValue(static_cast<int>(std::lround(kProgressSteps * m_machine.progress())));
+  m_left->setText(m_machine.loaded() ? inShownUnits(tr("To grind: %1 mm\nTime left: %2"))
+                                           .arg(fixedLengthText(m_machine.wayLeft(), 1, locale),
+                                                durationText(m_machine.timeLeft(), locale))
+                                     : QStringLiteral(" \n "));
+}
+
+// The page Job shows what was taken up, so that it can be changed for the next pane.
+void RunPage::openTakenUp(const TakenUp& job) {
+  m_planner.setRecipe(job.point.recipe);
+  m_planner.openPattern(job.plan->import->file);
 }
 
 void RunPage::changeOverride(double by) {
   m_machine.setOverride(std::round(10 * (m_machine.report().overrideFactor + by)) / 10);
-}
-
-void RunPage::changePanes(int by) {
-  m_order = std::clamp(m_order + by, 1, files::kMostPanes);
-  m_panes->setText(QString::number(m_order));
-  m_fewer->setEnabled(m_order > 1);
 }
 
 void RunPage::resumeRun() {

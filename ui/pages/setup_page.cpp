@@ -1,14 +1,17 @@
 #include "ui/pages/setup_page.h"
 
+#include "ui/pages/by_hand_panel.h"
 #include "ui/text/machine_texts.h"
 #include "ui/text/quantities.h"
 
+#include <QButtonGroup>
 #include <QCoreApplication>
 #include <QEvent>
 #include <QGridLayout>
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QStackedWidget>
 
 #include <array>
 
@@ -16,10 +19,24 @@ namespace arris::ui {
 namespace {
 
 constexpr int kJogEvery = 50;   // ms: the controller ends a jog that is not confirmed for 0.2 s
-constexpr int kJogButton = 84;  // px
+constexpr int kJogButton = 76;  // px
 constexpr double kJogSlow = 5;  // mm/s
 constexpr double kJogFast = 50; // mm/s
-constexpr int kSimulationColumns = 3;
+constexpr int kSimulationColumns = 2;
+
+// The steps of a jog, in the unit that lengths are shown in; the first is none.
+constexpr std::array<double, 5> kMillimetreSteps{0, 0.01, 0.1, 1, 10};
+constexpr std::array<double, 5> kInchSteps{0, 0.001, 0.01, 0.1, 1};
+
+// mm
+double jogStep(int step) {
+  const auto i = static_cast<std::size_t>(step);
+  return lengthFromShown(lengthUnit() == LengthUnit::Inch ? kInchSteps.at(i) : kMillimetreSteps.at(i));
+}
+
+QString jogStepText(int step) {
+  return lengthText(jogStep(step), 2, QLocale());
+}
 
 struct JogDirection {
   const char* name;
@@ -55,25 +72,71 @@ constexpr std::array<SimulatedFaultText, 6> kSimulatedFaults = {
 } // namespace
 
 SetupPage::SetupPage(MachineLink& machine, QWidget* parent)
-    : QWidget(parent), m_machine(machine), m_guide(new QLabel), m_places(new QLabel) {
+    : QWidget(parent), m_machine(machine), m_guide(new QLabel), m_places(new QLabel), m_jogHint(new QLabel),
+      m_parts(new QStackedWidget) {
   m_guide->setObjectName(QStringLiteral("guide"));
   m_guide->setWordWrap(true);
   m_guide->setMinimumHeight(2 * fontMetrics().lineSpacing());
   m_places->setObjectName(QStringLiteral("places"));
-  auto* layout = new QGridLayout(this);
-  layout->addWidget(m_guide, 0, 0, 1, 2);
-  layout->addWidget(makeDrives(), 1, 0);
-  layout->addWidget(makeWays(), 2, 0);
-  layout->addWidget(makeJog(), 1, 1, 2, 1);
-  layout->addWidget(makeSimulation(), 3, 0, 1, 2);
-  layout->setRowStretch(4, 1);
-  layout->setColumnStretch(0, 1);
-  layout->setColumnStretch(1, 1);
+  m_jogHint->setObjectName(QStringLiteral("jogHint"));
+  m_jogHint->setWordWrap(true);
+  m_jogHint->setMinimumHeight(2 * fontMetrics().lineSpacing()); // nothing jumps
+  m_parts->addWidget(makeMoving());
+  m_parts->addWidget(new ByHandPanel(machine));
+  m_parts->addWidget(makeSimulation());
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 4, 6, 4);
+  layout->addWidget(m_guide);
+  layout->addWidget(makeParts());
+  layout->addWidget(m_parts, 1);
   m_jogAgain.setInterval(kJogEvery);
   connect(&m_jogAgain, &QTimer::timeout, this, [this] { m_machine.jogAt(m_jogVelocity); });
   connect(&machine, &MachineLink::changed, this, &SetupPage::showAllowed);
   connect(&machine, &MachineLink::reported, this, &SetupPage::showReport);
+  showPart(machine.setupChoices().part);
   showAllowed();
+  showReport();
+}
+
+// Which part of the page is shown.
+QWidget* SetupPage::makeParts() {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* group = new QButtonGroup(this);
+  const std::array<std::pair<QString, QString>, 3> parts{{{tr("Drives and jog"), QStringLiteral("showMoving")},
+                                                          {tr("Origin and by hand"), QStringLiteral("showByHand")},
+                                                          {tr("Simulation"), QStringLiteral("showSimulation")}}};
+  for (int i = 0; i < static_cast<int>(parts.size()); ++i) {
+    const auto& [text, name] = parts.at(static_cast<std::size_t>(i));
+    auto* button = new QPushButton(text);
+    button->setObjectName(name);
+    button->setCheckable(true);
+    button->setChecked(i == m_machine.setupChoices().part);
+    group->addButton(button, i);
+    layout->addWidget(button, 1);
+  }
+  connect(group, &QButtonGroup::idClicked, this, &SetupPage::showPart);
+  return row;
+}
+
+void SetupPage::showPart(int part) {
+  endJog();
+  m_machine.setupChoices().part = part;
+  m_parts->setCurrentIndex(part);
+}
+
+QWidget* SetupPage::makeMoving() {
+  auto* part = new QWidget;
+  auto* grid = new QGridLayout(part);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->addWidget(makeDrives(), 0, 0);
+  grid->addWidget(makeWays(), 1, 0);
+  grid->addWidget(makeJog(), 0, 1, 3, 1);
+  grid->setRowStretch(2, 1);
+  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(1, 1);
+  return part;
 }
 
 QPushButton* SetupPage::add(QWidget& box, const QString& text, const QString& name, void (MachineLink::*act)()) {
@@ -102,12 +165,12 @@ QWidget* SetupPage::makeWays() {
 }
 
 QWidget* SetupPage::makeJog() {
-  auto* box = new QGroupBox(tr("Jog: moves as long as a button is pressed"));
+  auto* box = new QGroupBox(tr("Jog"));
   auto* grid = new QGridLayout(box);
   for (const JogDirection& jog : jogDirections()) {
     auto* button = new QPushButton(QString::fromUtf8(jog.text));
     button->setObjectName(QString::fromLatin1(jog.name));
-    button->setMinimumSize(kJogButton, kJogButton);
+    button->setStyleSheet(QStringLiteral("min-width: %1px; min-height: %1px").arg(kJogButton)); // of the theme's sheet
     button->installEventFilter(this);
     connect(button, &QPushButton::pressed, this,
             [this, button, direction = jog.direction] { beginJog(*button, direction); });
@@ -118,10 +181,40 @@ QWidget* SetupPage::makeJog() {
   m_fast = new QPushButton(tr("Fast"));
   m_fast->setObjectName(QStringLiteral("jogFast"));
   m_fast->setCheckable(true);
+  m_fast->setChecked(m_machine.setupChoices().jogFast);
+  connect(m_fast, &QPushButton::toggled, this, [this](bool on) { m_machine.setupChoices().jogFast = on; });
   grid->addWidget(m_fast, 1, 1);
-  grid->addWidget(m_places, 3, 0, 1, 4);
-  grid->setRowStretch(4, 1);
+  grid->addWidget(makeJogSteps(), 3, 0, 1, 4);
+  grid->addWidget(m_jogHint, 4, 0, 1, 4);
+  grid->addWidget(m_places, 5, 0, 1, 4);
+  grid->setRowStretch(6, 1);
   return box;
+}
+
+QWidget* SetupPage::makeJogSteps() {
+  auto* steps = new QWidget;
+  auto* grid = new QGridLayout(steps);
+  grid->setContentsMargins(0, 0, 0, 0);
+  auto* group = new QButtonGroup(this);
+  for (int i = 0; i < static_cast<int>(kMillimetreSteps.size()); ++i) {
+    auto* button = new QPushButton(i == 0 ? tr("Continuous") : jogStepText(i));
+    button->setObjectName(QStringLiteral("jogStep%1").arg(i));
+    button->setAccessibleName(i == 0 ? tr("Jog as long as a button is pressed")
+                                     : inShownUnits(tr("Jog by %1 mm")).arg(jogStepText(i)));
+    button->setCheckable(true);
+    button->setChecked(i == m_machine.setupChoices().jogStep);
+    group->addButton(button, i);
+    i == 0 ? grid->addWidget(button, 0, 0, 1, -1) : grid->addWidget(button, 1, i - 1);
+  }
+  grid->addWidget(new QLabel(inShownUnits(tr("mm"))), 1, static_cast<int>(kMillimetreSteps.size()) - 1);
+  connect(group, &QButtonGroup::idClicked, this, &SetupPage::chooseStep);
+  return steps;
+}
+
+void SetupPage::chooseStep(int step) {
+  endJog();
+  m_machine.setupChoices().jogStep = step;
+  showAllowed();
 }
 
 // The simulated machine can be made to fail, to learn what to do then.
@@ -144,11 +237,23 @@ QWidget* SetupPage::makeSimulation() {
   mend->setObjectName(QStringLiteral("mend"));
   connect(mend, &QPushButton::clicked, &m_machine, &MachineLink::clearFaults);
   put(mend);
+  auto* jogEnable = new QPushButton(tr("Jog enable on the panel held"));
+  jogEnable->setObjectName(QStringLiteral("simulateJogEnable"));
+  jogEnable->setCheckable(true);
+  jogEnable->setChecked(m_machine.report().inputs.jogEnable);
+  connect(jogEnable, &QPushButton::toggled, this,
+          [this](bool down) { m_machine.press(control::Button::JogEnable, down); });
+  put(jogEnable);
+  grid->setRowStretch(grid->rowCount(), 1);
   return box;
 }
 
 void SetupPage::beginJog(QPushButton& button, const Eigen::Vector3d& direction) {
   button.setFocus();
+  if (const int step = m_machine.setupChoices().jogStep; step > 0) {
+    m_machine.jogBy(jogStep(step) * direction);
+    return;
+  }
   m_jogVelocity = (m_fast->isChecked() ? kJogFast : kJogSlow) * direction;
   m_machine.jogAt(m_jogVelocity);
   m_jogAgain.start();
@@ -188,9 +293,7 @@ void SetupPage::showAllowed() {
   m_home->setEnabled(allowed.home);
   m_trace->setEnabled(allowed.move && m_machine.loaded());
   m_park->setEnabled(allowed.move);
-  for (QPushButton* button : m_jogs) {
-    button->setEnabled(allowed.jog);
-  }
+  showJog(allowed);
   const control::Report& report = m_machine.report();
   m_guide->setText(allowed.acknowledge   ? tr("Read the alarm above, mend its cause, acknowledge it.")
                    : allowed.enable      ? tr("Next: switch the drives on.")
@@ -199,14 +302,27 @@ void SetupPage::showAllowed() {
                                          : tr("Ready for the cycle start on the page Run."));
 }
 
+void SetupPage::showJog(const Allowed& allowed) {
+  for (QPushButton* button : m_jogs) {
+    button->setEnabled(allowed.jog);
+  }
+  const int step = m_machine.setupChoices().jogStep;
+  m_fast->setEnabled(step == 0);
+  m_jogHint->setText(!m_machine.report().mayJog
+                         ? tr("Press the jog enable on the panel and keep it pressed: without it no axis is jogged.")
+                     : step == 0 ? tr("An axis moves as long as its button is pressed.")
+                                 : inShownUnits(tr("Each press moves an axis by %1 mm.")).arg(jogStepText(step)));
+}
+
 void SetupPage::showReport() {
+  showJog(m_machine.allowed());
   const control::Report& report = m_machine.report();
   const Eigen::Vector3d& at = report.measured;
   const QLocale locale;
-  m_places->setText(
-      report.homed ? tr("X %1   Y %2   Z %3 mm")
-                         .arg(fixedText(at.x(), 3, locale), fixedText(at.y(), 3, locale), fixedText(at.z(), 3, locale))
-                   : tr("The places are not known yet."));
+  m_places->setText(report.homed ? inShownUnits(tr("X %1   Y %2   Z %3 mm"))
+                                       .arg(fixedLengthText(at.x(), 3, locale), fixedLengthText(at.y(), 3, locale),
+                                            fixedLengthText(at.z(), 3, locale))
+                                 : tr("The places are not known yet."));
 }
 
 } // namespace arris::ui

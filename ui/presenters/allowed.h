@@ -11,14 +11,17 @@ struct Allowed {
   bool disable = false;
   bool home = false;
   bool jog = false;
-  bool move = false; ///< trace, park
+  bool move = false;   ///< trace, park
+  bool origin = false; ///< another origin: a pane that was broken off keeps its own
+  bool byHand = false; ///< spindle and coolant
   bool acknowledge = false;
-  bool load = false; ///< another job
+  bool load = false;  ///< another job
+  bool judge = false; ///< the pane that has ended, or was broken off
   bool start = false;
   bool resume = false;
   bool step = false;
   bool hold = false;
-  bool stop = false;    ///< something moves, or may begin to
+  bool stop = false;    ///< something moves or turns, or may begin to
   bool restore = false; ///< what the machine is and how it works: nothing of it is in use
   bool operator==(const Allowed&) const = default;
 };

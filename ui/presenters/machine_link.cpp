@@ -2,10 +2,12 @@
 
 #include "core/control/alarms.h"
 #include "core/files/wall_clock.h"
+#include "core/program/travel.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <thread>
 #include <utility>
 
@@ -26,6 +28,9 @@ constexpr int kFastPeriods = 10;
 /// For the axes to come to rest at the end, ms.
 constexpr int kRestPatience = 60'000;
 
+/// The last places are still under way then for so long at most, ms.
+constexpr int kLastPlaces = 300;
+
 } // namespace
 
 MachineLink::MachineLink(const MachineSetup& setup, QObject* parent)
@@ -36,7 +41,13 @@ MachineLink::MachineLink(const MachineSetup& setup, std::unique_ptr<control::Sim
     : QObject(parent), m_folder(setup.folder), m_pace(setup.pace), m_machine(setup.machine), m_axes(axes.get()),
       m_station(setup.machine, std::move(axes), setup.pace,
                 {[this](const control::Report& report) { hear(report); },
-                 [this](const control::FaultReport& fault) { hear(fault); }}) {
+                 [this](const control::FaultReport& fault) { hear(fault); }}),
+      m_order(setup.folder.paneJournal()), m_offer(setup.folder, setup.machine, setup.steps), m_watcher(setup.watcher) {
+  m_pool.setMaxThreadCount(1);
+  connect(&m_order, &OrderBook::changed, this, &MachineLink::changed);
+  connect(&m_order, &OrderBook::failed, this, &MachineLink::complain);
+  connect(&m_offer, &ResumeOffer::changed, this, &MachineLink::changed);
+  connect(&m_offer, &ResumeOffer::ready, this, &MachineLink::takeUp);
   connect(&m_timer, &QTimer::timeout, this, &MachineLink::pass);
   setCounting(true);
   m_timer.setTimerType(Qt::PreciseTimer);
@@ -46,15 +57,23 @@ MachineLink::MachineLink(const MachineSetup& setup, std::unique_ptr<control::Sim
 MachineLink::~MachineLink() {
   m_timer.stop();
   blockSignals(true);
-  if (control::isMoving(report().state)) {
-    m_station.operatorSide().stop();
+  if (!allowed().stop) {
+    return;
   }
-  for (int waited = 0; waited < kRestPatience && control::isMoving(report().state); waited += kServeEvery) {
-    if (m_pace == control::Pace::Real) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(kServeEvery));
-    }
-    m_station.pass(kFastPeriods);
+  m_station.operatorSide().stop();
+  for (int waited = 0; waited < kRestPatience && allowed().stop; waited += kServeEvery) {
+    passOnce();
   }
+  for (int waited = 0; waited < kLastPlaces; waited += kServeEvery) {
+    passOnce();
+  }
+}
+
+void MachineLink::passOnce() {
+  if (m_pace == control::Pace::Real) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(kServeEvery));
+  }
+  m_station.pass(kFastPeriods);
 }
 
 void MachineLink::pass() {
@@ -71,9 +90,15 @@ void MachineLink::pass() {
   if (const auto failure = m_counters ? m_counters->takeFailure() : std::nullopt) {
     complain(*failure);
   }
-  if (const auto& refusal = m_station.operatorSide().refusal()) {
-    complain(*refusal);
+  if (const auto& refusal = operatorSide().refusal(); refusal != m_refusalSeen) {
+    m_refusalSeen = refusal;
+    if (refusal) {
+      complain(*refusal);
+    }
   }
+  notePanes();
+  noteOrigin();
+  renewTimes();
   Q_EMIT reported();
   tellChanges();
 }
@@ -96,13 +121,27 @@ void MachineLink::tellChanges() {
 }
 
 void MachineLink::hear(const control::Report& report) {
-  if (m_keeper) {
-    m_keeper->add(report);
+  if (m_watcher) {
+    m_watcher(report);
   }
   if (m_counters) {
     m_counters->add(report);
   }
   m_worstFollowingError = m_worstFollowingError.cwiseMax(report.followingError.cwiseAbs());
+  if (!m_keeper) {
+    return;
+  }
+  m_keeper->add(report);
+  if (report.runTick == 0) {
+    m_order.runBegins();
+    const bool isNew = m_keeper->pane() != m_paneOfRun;
+    m_ground = isNew ? 0 : m_ground;
+    m_timeBefore = isNew ? 0 : m_paneTime;
+    m_paneOfRun = m_keeper->pane();
+  }
+  if (report.runTick >= 0) {
+    m_paneTime = m_timeBefore + static_cast<double>(report.runTick) * m_machine.period;
+  }
 }
 
 void MachineLink::hear(const control::FaultReport& fault) {
@@ -138,16 +177,106 @@ void MachineLink::setCounting(bool counts) {
   }
 }
 
+// What has become of the pane since the last time.
+void MachineLink::notePanes() {
+  if (m_way && (report().runTick >= 0 || jobState() == JobState::Aborted)) {
+    m_ground = std::max(m_ground, m_way->before(report().place));
+  }
+  const int done = operatorSide().panesDone();
+  if (done > m_doneSeen) {
+    if (report().jobsEnded == m_jobsSeen) { // nothing was left of it
+      m_keeper->nothingLeft();
+    }
+    m_order.paneEnded(m_paneTime);
+  } else if (jobState() == JobState::Aborted && m_toldJob != JobState::Aborted) {
+    m_order.paneBroken(m_paneTime);
+  }
+  m_doneSeen = done;
+  m_jobsSeen = report().jobsEnded;
+  if (m_keeper) {
+    m_keeper->setOrdered(m_order.toGrind());
+  }
+}
+
+// Whether the job still fits is told at once; the operator's side looks again before every start.
+void MachineLink::noteOrigin() {
+  if (report().origin == m_originSeen) {
+    return;
+  }
+  m_originSeen = report().origin;
+  if (m_complaint && m_complaint->code == base::Code::OutsideTravel) {
+    m_complaint.reset();
+  }
+  if (const auto problem =
+          m_loaded ? program::outsideTravel(m_loaded->job.track, m_machine, m_originSeen) : std::nullopt) {
+    complain(*problem);
+  }
+  Q_EMIT changed();
+}
+
+// In the background: for a job of many segments it takes its time.
+void MachineLink::renewTimes() {
+  const double factor = report().overrideFactor;
+  if (!m_loaded || m_timesAsked || (m_times && m_times->overrideFactor() == factor)) {
+    return;
+  }
+  m_timesAsked = true;
+  m_pool.start([this, plan = m_loaded, factor] {
+    auto times = std::make_shared<const program::Timetable>(plan->job, factor);
+    QMetaObject::invokeMethod(
+        this,
+        [this, plan, times] {
+          m_timesAsked = false;
+          if (plan == m_loaded) {
+            m_times = times;
+          }
+        },
+        Qt::QueuedConnection);
+  });
+}
+
 Allowed MachineLink::allowed() const {
-  return allowedIn(report(), jobState(), m_loaded != nullptr, m_station.operatorSide().isOrdered());
+  Allowed allowed = allowedIn(report(), jobState(), m_loaded != nullptr, m_station.operatorSide().isOrdered());
+  const auto& broken = operatorSide().broken();
+  const bool isBeingPlanned = m_offer.state() == ResumeOffer::State::Planning;
+  allowed.load = allowed.load && !isBeingPlanned;
+  allowed.start = allowed.start && !isBeingPlanned && (!broken || broken->origin == report().origin);
+  allowed.origin = allowed.origin && !broken;
+  return allowed;
+}
+
+bool MachineLink::goesOnWithAPane() const {
+  return operatorSide().broken().has_value() || jobState() == JobState::Aborted;
+}
+
+bool MachineLink::isRevision(const Plan& plan) const {
+  return m_loaded && (plan.import->hash != m_loaded->import->hash || plan.import->file != m_loaded->import->file ||
+                      plan.job.recipe != m_loaded->job.recipe || plan.job.machine != m_loaded->job.machine);
 }
 
 double MachineLink::progress() const {
-  return jobState() == JobState::Ended ? 1 : std::clamp(report().path / m_length, 0.0, 1.0);
+  if (!m_way || m_way->length() == 0) {
+    return 0;
+  }
+  return jobState() == JobState::Ended ? 1 : std::clamp(m_ground / m_way->length(), 0.0, 1.0);
+}
+
+double MachineLink::wayLeft() const {
+  return m_way ? m_way->length() * (1 - progress()) : 0;
 }
 
 double MachineLink::timeLeft() const {
-  return m_loaded ? m_loaded->job.duration * (1 - progress()) : 0;
+  if (!m_loaded || jobState() == JobState::Ended) {
+    return 0;
+  }
+  const auto& broken = operatorSide().broken();
+  const program::JobPlace place = broken                                ? broken->place
+                                  : jobState() == JobState::Initialized ? program::JobPlace()
+                                                                        : report().place;
+  if (!m_times) {
+    return m_loaded->job.duration * (1 - progress()) / report().overrideFactor;
+  }
+  return m_times->left(place) * m_times->overrideFactor() / report().overrideFactor;
 }
 
 void MachineLink::enable() {
@@ -176,34 +305,90 @@ void MachineLink::acknowledge() {
 }
 
 // Nothing is loaded where its runs could leave nothing to resume from.
-void MachineLink::load(const PlanPointer& plan, int panes) {
-  if (!allowed().load) {
-    return;
-  }
+bool MachineLink::prepare(const PlanPointer& plan, const control::PaneOrder& panes,
+                          const std::optional<control::Supervisor::Broken>& broken) {
   const std::shared_ptr<const job::Job> job(plan, &plan->job);
   auto keeper = std::make_unique<control::RunKeeper>(m_folder, job, plan->import->file.string(), plan->import->hash,
-                                                     files::wallClock, control::PaneOrder{1, panes});
+                                                     files::wallClock, panes);
   if (const base::Problems problems = keeper->takeProblems(); !problems.empty()) {
     complain(problems.front());
-    return;
+    return false;
   }
-  if (!m_station.operatorSide().load(job, panes)) {
-    return;
+  if (!m_station.operatorSide().load(job, panes.ordered, broken)) {
+    return false;
   }
   m_keeper = std::move(keeper);
   m_loaded = plan;
-  m_length = motion::arcLength(job->track);
+  m_way.emplace(m_loaded->job);
+  m_times.reset();
+  m_ground = broken ? m_way->before(broken->place) : 0;
+  m_paneTime = 0;
+  m_paneOfRun = broken ? panes.first : 0;
+  m_doneSeen = 0;
+  m_originSeen.setConstant(std::numeric_limits<double>::quiet_NaN()); // it is looked at anew
   m_complaint.reset();
+  return true;
+}
+
+void MachineLink::load(const PlanPointer& plan) {
+  if (!allowed().load || !plan->job.canBeGround()) {
+    return;
+  }
+  giveUpPane();
+  m_offer.setAside();
+  const bool goesOn = isRevision(*plan) && m_order.isUnderWay(plan->import->hash);
+  const control::PaneOrder panes =
+      goesOn ? control::PaneOrder{m_order.pane(), m_order.toGrind()} : control::PaneOrder{1, m_order.wanted()};
+  if (prepare(plan, panes, std::nullopt) && !goesOn) {
+    m_order.begin(plan->import->file.filename().string(), plan->import->hash);
+  }
+  Q_EMIT changed();
+}
+
+void MachineLink::load(const PlanPointer& plan, int panes) {
+  if (allowed().load) {
+    m_order.setWanted(panes);
+    load(plan);
+  }
+}
+
+// With its place, its origin, and the panes that were done of its order.
+void MachineLink::takeUp(const TakenUp& job) {
+  const files::ResumePoint& point = job.point;
+  giveUpPane();
+  if (prepare(job.plan, {point.pane, point.panes}, control::Supervisor::Broken{point.place, point.origin})) {
+    m_timeBefore = m_paneTime = point.time;
+    const int rejects = std::min(job.before.rejects, point.pane - 1);
+    m_order.setWanted(point.panes - rejects);
+    m_order.begin(job.plan->import->file.filename().string(), job.plan->import->hash,
+                  {point.pane - 1 - rejects, rejects});
+  }
+  Q_EMIT changed();
+}
+
+void MachineLink::giveUpPane() {
+  m_order.judge(m_order.open() == OrderBook::Open::Broken ? files::Verdict::Reject : files::Verdict::Good);
+}
+
+void MachineLink::judge(files::Verdict verdict) {
+  const bool isBroken = m_order.open() == OrderBook::Open::Broken;
+  if (!allowed().judge || (isBroken && verdict != files::Verdict::Reject)) {
+    return;
+  }
+  m_order.judge(verdict);
+  if (isBroken &&
+      m_station.operatorSide().load(std::shared_ptr<const job::Job>(m_loaded, &m_loaded->job), m_order.toGrind())) {
+    m_keeper->nothingLeft();
+    m_doneSeen = 0;
+    m_ground = 0;
+  }
   Q_EMIT changed();
 }
 
 void MachineLink::start() {
   m_complaint.reset();
-  if (jobState() == JobState::Aborted) {
-    m_station.operatorSide().startFrom(report().place);
-  } else {
-    m_station.operatorSide().start();
-  }
+  m_refusalSeen.reset();
+  m_station.operatorSide().cycleStart();
 }
 
 void MachineLink::hold() {
@@ -223,15 +408,35 @@ void MachineLink::stop() {
 }
 
 void MachineLink::trace() {
+  m_refusalSeen.reset();
   m_station.operatorSide().trace();
 }
 
 void MachineLink::park() {
+  m_refusalSeen.reset();
   m_station.operatorSide().park();
 }
 
 void MachineLink::jogAt(const Eigen::Vector3d& velocity) {
   m_station.operatorSide().jogAt(velocity);
+}
+
+void MachineLink::jogBy(const Eigen::Vector3d& way) {
+  m_station.operatorSide().jogBy(way);
+}
+
+void MachineLink::setOrigin(const Eigen::Vector3d& origin) {
+  if (allowed().origin) {
+    m_station.operatorSide().setOrigin(origin);
+  }
+}
+
+void MachineLink::spindleByHand(double speed) {
+  m_station.operatorSide().spindleByHand(speed);
+}
+
+void MachineLink::coolantByHand(bool on) {
+  m_station.operatorSide().coolantByHand(on);
 }
 
 void MachineLink::setOverride(double factor) {
@@ -240,6 +445,10 @@ void MachineLink::setOverride(double factor) {
 
 void MachineLink::inject(control::SimulatedFault fault) {
   m_axes->inject(fault);
+}
+
+void MachineLink::press(control::Button button, bool down) {
+  m_axes->press(button, down);
 }
 
 void MachineLink::clearFaults() {

@@ -4,13 +4,18 @@
 #include "core/control/run_keeper.h"
 #include "core/control/simulated_axes.h"
 #include "core/control/station.h"
+#include "core/program/progress.h"
 #include "ui/presenters/allowed.h"
+#include "ui/presenters/order_book.h"
 #include "ui/presenters/planner.h"
+#include "ui/presenters/resume_offer.h"
 
 #include <QObject>
 #include <QString>
+#include <QThreadPool>
 #include <QTimer>
 
+#include <functional>
 #include <vector>
 
 namespace arris::ui {
@@ -26,7 +31,17 @@ struct Alarm {
 struct MachineSetup {
   recipe::Machine machine;
   control::StateFolder folder;
-  control::Pace pace = control::Pace::Real; ///< Simulated: as fast as it can, for tests
+  control::Pace pace = control::Pace::Real;                 ///< Simulated: as fast as it can, for tests
+  PlannerSteps steps = plannerSteps();                      ///< by which a job that was broken off is planned again
+  std::function<void(const control::Report&)> watcher = {}; ///< hears of every period, if anybody does
+};
+
+/// What has been chosen on the page Setup; it outlives the page.
+struct SetupChoices {
+  int part = 0;    ///< of the page
+  int jogStep = 0; ///< 0: as long as a button is pressed; else the place of the step in the list
+  bool jogFast = false;
+  double spindle = 0; ///< r/min, by hand; 0 not chosen yet
 };
 
 /// The machine as the window sees it: the simulated axes with their controller, in a thread of its own in real time,
@@ -67,11 +82,44 @@ public:
     return operatorSide().panesOrdered();
   }
 
-  /// Of the job that is loaded, as far as it was ground in this run; 0 to 1.
+  /// The order, and what the operator says of its panes.
+  [[nodiscard]] OrderBook& order() {
+    return m_order;
+  }
+
+  [[nodiscard]] const OrderBook& order() const {
+    return m_order;
+  }
+
+  /// The job that an earlier process left broken off.
+  [[nodiscard]] ResumeOffer& resumeOffer() {
+    return m_offer;
+  }
+
+  [[nodiscard]] SetupChoices& setupChoices() {
+    return m_choices;
+  }
+
+  [[nodiscard]] const recipe::Machine& machine() const {
+    return m_machine;
+  }
+
+  /// A pane of the job that is loaded was broken off, by this process or an earlier one: the next cycle start goes on
+  /// with it.
+  [[nodiscard]] bool goesOnWithAPane() const;
+
+  /// Of the way along the glass of the job that is loaded, as far as it is ground on this pane; 0 to 1. It does not
+  /// begin anew where a pane is gone on with.
   [[nodiscard]] double progress() const;
 
-  /// To the end of the run at 100 %, s.
+  /// What is left of that way, mm.
+  [[nodiscard]] double wayLeft() const;
+
+  /// To the end of the pane at the override in effect, s.
   [[nodiscard]] double timeLeft() const;
+
+  /// Whether a plan is another than the one that is loaded: of another pattern, or with other values.
+  [[nodiscard]] bool isRevision(const Plan& plan) const;
 
   /// Every fault since the program began, the latest last.
   [[nodiscard]] const std::vector<Alarm>& alarms() const {
@@ -125,18 +173,27 @@ public:
   void disable();
   void home();
   void acknowledge();
-  void load(const PlanPointer& plan, int panes);
-  void start(); ///< cycle start: the next pane, or the pane that was broken off from where it was
+  /// For the panes of the order that are still wanted, where it is of the same pattern and not complete, and another
+  /// plan than the one that is loaded; or else for a new order. A pane that was broken off is given up.
+  void load(const PlanPointer& plan);
+  void load(const PlanPointer& plan, int panes); ///< as many are wanted
+  void start();                       ///< cycle start: the next pane, or the pane that was broken off from where it was
+  void judge(files::Verdict verdict); ///< of the pane that has ended; a pane that was broken off can only be a reject
   void hold();
   void resume();
   void step(double distance); ///< mm along the path, negative back
   void stop();
   void trace();
   void park();
-  void jogAt(const Eigen::Vector3d& velocity); ///< mm/s; to be said again within 0.2 s
+  void jogAt(const Eigen::Vector3d& velocity);   ///< mm/s; to be said again within 0.2 s
+  void jogBy(const Eigen::Vector3d& way);        ///< mm, at the speed of a fast jog
+  void setOrigin(const Eigen::Vector3d& origin); ///< G54: the table's zero in machine coordinates, mm
+  void spindleByHand(double speed);              ///< r/min; 0 off
+  void coolantByHand(bool on);
   void setOverride(double factor);
   void inject(control::SimulatedFault fault);
-  void clearFaults(); ///< of the simulated machine
+  void clearFaults();                            ///< of the simulated machine
+  void press(control::Button button, bool down); ///< of its panel
 
 Q_SIGNALS:
   /// A new period has been reported.
@@ -149,6 +206,7 @@ private:
   MachineLink(const MachineSetup& setup, std::unique_ptr<control::SimulatedAxes> axes, QObject* parent);
 
   void pass();
+  void passOnce(); ///< at the end, without the timer
 
   [[nodiscard]] const control::Supervisor& operatorSide() const {
     return m_station.operatorSide();
@@ -158,6 +216,13 @@ private:
   void hear(const control::FaultReport& fault);
   files::Alarm log(const control::FaultReport& fault);
   void logged(const base::Expected<void>& result);
+  bool prepare(const PlanPointer& plan, const control::PaneOrder& panes,
+               const std::optional<control::Supervisor::Broken>& broken);
+  void takeUp(const TakenUp& job);
+  void giveUpPane();
+  void notePanes();
+  void noteOrigin();
+  void renewTimes();
   void tellChanges();
 
   control::StateFolder m_folder;
@@ -166,16 +231,31 @@ private:
   control::SimulatedAxes* m_axes; ///< the station's
   control::Station m_station;
   PlanPointer m_loaded;
-  double m_length = 1; ///< of the job's way, mm
+  OrderBook m_order;
+  ResumeOffer m_offer;
+  SetupChoices m_choices;
+  std::function<void(const control::Report&)> m_watcher;
+  std::optional<program::WorkingWay> m_way;          ///< of the job that is loaded
+  std::shared_ptr<const program::Timetable> m_times; ///< of that job; null until it is ready
+  bool m_timesAsked = false;
+  double m_ground = 0;     ///< of the pane, mm
+  double m_paneTime = 0;   ///< of the pane, s
+  double m_timeBefore = 0; ///< in its earlier runs, s
+  int m_paneOfRun = 0;     ///< number of the pane that m_ground and m_paneTime are of
+  int m_doneSeen = 0;
+  std::int64_t m_jobsSeen = 0;
+  Eigen::Vector3d m_originSeen{0, 0, 0};
   std::unique_ptr<control::RunKeeper> m_keeper;
   std::optional<control::CounterKeeper> m_counters; ///< none while it does not count
   Eigen::Vector3d m_worstFollowingError{0, 0, 0};   ///< mm
   std::vector<Alarm> m_alarms;
   std::optional<base::Problem> m_complaint;
+  std::optional<base::Problem> m_refusalSeen; ///< of the operator's side, told already
   Allowed m_told;
   control::State m_toldState = control::State::Off;
   control::JobState m_toldJob = control::JobState::Idle;
   QTimer m_timer;
+  QThreadPool m_pool; ///< one thread; last, so that it ends before what it uses
 };
 
 } // namespace arris::ui

@@ -124,6 +124,18 @@ QString jobStateText(control::JobState state) {
   return QCoreApplication::translate("JobState", kNames.at(static_cast<std::size_t>(state)));
 }
 
+QString servicesText(const control::Report& report) {
+  const auto say = [](const char* text) { return QCoreApplication::translate("Services", text); };
+  return QCoreApplication::translate("Services", "Spindle: %1\nCoolant: %2\nVacuum: %3")
+      .arg(report.outputs.spindleSpeed == 0 ? say(QT_TRANSLATE_NOOP("Services", "off"))
+           : report.inputs.spindleAtSpeed   ? say(QT_TRANSLATE_NOOP("Services", "at speed"))
+                                            : say(QT_TRANSLATE_NOOP("Services", "comes up to speed")),
+           report.inputs.coolantFlows ? say(QT_TRANSLATE_NOOP("Services", "flows"))
+                                      : say(QT_TRANSLATE_NOOP("Services", "off")),
+           report.inputs.vacuumHolds ? say(QT_TRANSLATE_NOOP("Services", "holds the glass"))
+                                     : say(QT_TRANSLATE_NOOP("Services", "off")));
+}
+
 QString faultText(const control::FaultReport& fault, const QLocale& locale) {
   QString text = inShownUnits(sentence(control::info(fault.fault).text));
   text.replace(QStringLiteral("{axis}"), fault.axis >= 0 ? QString(QStringLiteral("XYZ").at(fault.axis))

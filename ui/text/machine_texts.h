@@ -14,6 +14,9 @@ namespace arris::ui {
 [[nodiscard]] QString stateText(control::State state);
 [[nodiscard]] QString jobStateText(control::JobState state);
 
+/// What spindle, coolant and vacuum do, a line each.
+[[nodiscard]] QString servicesText(const control::Report& report);
+
 /// The fault in a sentence, with its axis and figure.
 [[nodiscard]] QString faultText(const control::FaultReport& fault, const QLocale& locale);
 

@@ -168,6 +168,12 @@ const std::vector<const char*>& problemTemplates() {
           "Problem",
           "The machine's greatest speed of the {axis} axis is below the feed; it limits the speed on the contour."),
       QT_TRANSLATE_NOOP("Problem", "Internal error: {reason}."),
+      QT_TRANSLATE_NOOP("Problem", "The job that was broken off is of another pattern or an earlier state of it: "
+                                   "{file} had the fingerprint {was}, now it has {is}."),
+      QT_TRANSLATE_NOOP(
+          "Problem", "The job that was broken off was planned for another machine: {key} was {was}, now it is {is}."),
+      QT_TRANSLATE_NOOP("Problem", "The place where the job was broken off (segment {segment}, {lambda_mm} mm) is not "
+                                   "on the job as it is planned now."),
       QT_TRANSLATE_NOOP("Problem", "Axes through LinuxCNC are not available: {reason}."),
   };
   return kTemplates;

@@ -60,7 +60,7 @@ void AlarmBanner::mouseReleaseEvent(QMouseEvent* event) {
 void AlarmBanner::showState() {
   const control::JobState job = m_machine.jobState();
   const QString panes = m_machine.loaded()
-                            ? tr("%1 of %2 panes done").arg(m_machine.panesDone()).arg(m_machine.panesOrdered())
+                            ? tr("%1 of %2 panes good").arg(m_machine.order().good()).arg(m_machine.order().wanted())
                             : tr("No job is loaded");
   m_state->setText(stateText(m_machine.report().state) + QLatin1Char('\n') +
                    (m_machine.loaded() ? jobStateText(job) + QStringLiteral(" · ") + panes : panes));

@@ -414,5 +414,54 @@ TEST(Panes, AreGroundOneAfterTheOtherByOneCommandEach) {
   }
 }
 
+TEST(SpindleByHand, IsSwitchedOffByStopAtRest) {
+  Bench bench(recipe::Machine{});
+  switchOn(bench);
+  home(bench);
+  ASSERT_TRUE(bench.supervisor.spindleByHand(3000));
+  ASSERT_TRUE(bench.supervisor.coolantByHand(true));
+  ASSERT_TRUE(bench.until([&] { return bench.report().outputs.spindleSpeed == 3000; }, 1));
+  ASSERT_TRUE(bench.until([&] { return bench.report().outputs.coolant; }, 1));
+  bench.supervisor.stop();
+  ASSERT_TRUE(bench.until([&] { return bench.report().outputs.spindleSpeed == 0; }, 1));
+  EXPECT_FALSE(bench.report().outputs.coolant);
+  EXPECT_EQ(bench.report().state, State::Idle);
+}
+
+TEST(JogEnable, ThatIsRequiredIsToldWithEveryPeriod) {
+  recipe::Machine machine;
+  machine.jogEnableRequired = true;
+  auto axes = std::make_unique<SimulatedAxes>(machine, Pace::Simulated, Eigen::Vector3d(100, 100, 100));
+  SimulatedAxes* simulated = axes.get();
+  Bench bench(machine, std::move(axes));
+  switchOn(bench);
+  EXPECT_FALSE(bench.report().mayJog);
+  simulated->press(Button::JogEnable, true);
+  ASSERT_TRUE(bench.until([&] { return bench.report().mayJog; }, 1));
+  simulated->press(Button::JogEnable, false);
+  ASSERT_TRUE(bench.until([&] { return !bench.report().mayJog; }, 1));
+}
+
+TEST(Report, TellsWhereTheSegmentEndsThatTheWheelIsOnAndItsFeed) {
+  const job::Job job = triangleJob();
+  Bench bench(job.machine);
+  bench.getReady(job);
+  int segment = -1;
+  int checked = 0;
+  bench.onPeriod = [&](const Report& report, const Cycle&) {
+    if (report.isInMotion && report.kind == program::Kind::Job && report.segment != segment) {
+      segment = report.segment;
+      const motion::Segment& on = job.track[static_cast<std::size_t>(report.place.segment)];
+      const Eigen::Vector3d end = motion::evaluate(on, motion::parameterLength(on)).point;
+      EXPECT_LT((report.segmentEnd - end).norm(), 1e-9) << segment;
+      EXPECT_DOUBLE_EQ(report.feed, on.feed) << segment;
+      ++checked;
+    }
+  };
+  ASSERT_TRUE(bench.supervisor.start());
+  ASSERT_TRUE(bench.until([&] { return bench.supervisor.jobState() == JobState::Ended; }, 5000));
+  EXPECT_EQ(checked, static_cast<int>(job.track.size()));
+}
+
 } // namespace
 } // namespace arris::control

@@ -193,5 +193,35 @@ TEST(ResumePoint, OfAPaneThatIsDoneIsGone) {
   EXPECT_FALSE(std::filesystem::exists(scratch / "state/resume.json"));
 }
 
+TEST(RunKeeper, CountsAPaneOnceHoweverOftenItIsBrokenOff) {
+  const test::Scratch scratch;
+  const auto job = std::make_shared<const job::Job>(jobToStop());
+  Bench bench(job->machine);
+  bench.getReady(*job);
+  RunKeeper keeper({scratch / "state"}, job, "triangle.dxf", "0123456789abcdef",
+                   [] { return std::string("2031-05-06T07:08:09"); }, {3, 5});
+  bench.onPeriod = [&](const Report& report, const Cycle&) { keeper.add(report); };
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(i == 0 ? bench.supervisor.start() : bench.supervisor.startFrom(bench.report().place));
+    ASSERT_TRUE(bench.until([&] { return bench.report().place.segment >= 4 && bench.report().runTick > 500; }, 300));
+    bench.supervisor.stop();
+    ASSERT_TRUE(bench.until(State::Idle, 30));
+    EXPECT_EQ(keeper.pane(), 3);
+  }
+  ASSERT_TRUE(bench.supervisor.startFrom(bench.report().place));
+  ASSERT_TRUE(bench.until([&] { return bench.supervisor.jobState() == JobState::Ended; }, 300));
+  EXPECT_EQ(keeper.pane(), 3);
+  ASSERT_TRUE(bench.until(State::Idle, 30));
+  ASSERT_TRUE(bench.supervisor.start());
+  ASSERT_TRUE(bench.until([&] { return bench.report().runTick > 500; }, 300));
+  EXPECT_EQ(keeper.pane(), 4);
+  bench.supervisor.stop();
+  ASSERT_TRUE(bench.until(State::Idle, 30));
+  keeper.nothingLeft(); // given up
+  ASSERT_TRUE(bench.supervisor.start());
+  ASSERT_TRUE(bench.until([&] { return bench.report().runTick > 500; }, 300));
+  EXPECT_EQ(keeper.pane(), 5);
+}
+
 } // namespace
 } // namespace arris::control

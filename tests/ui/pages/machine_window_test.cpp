@@ -2,13 +2,17 @@
 
 #include "tests/ui/support/artefacts.h"
 #include "tests/ui/support/locales.h"
+#include "tests/ui/support/long_texts.h"
 #include "tests/ui/support/steps.h"
 #include "ui/main_window.h"
+#include "ui/pages/run_page.h"
+#include "ui/pages/setup_page.h"
 #include "ui/text/machine_texts.h"
 #include "ui/views/drawing_view.h"
 #include "ui/widgets/hold_button.h"
 
 #include <QLabel>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTest>
@@ -68,6 +72,10 @@ protected:
 
   bool becomes(JobState state) {
     return QTest::qWaitFor([&] { return m_window.machine().jobState() == state; }, test::kPatience);
+  }
+
+  QString label(const char* name) {
+    return m_window.findChild<QLabel*>(QString::fromLatin1(name))->text();
   }
 
   void keep(const char* name) {
@@ -134,6 +142,7 @@ TEST_F(MachineWindow, TellsAFaultOnEveryPageAndGoesOnAfterItsAcknowledgement) {
   getReady();
   getOntoGlass();
   tap("pageSetup");
+  tap("showSimulation");
   tap("inject4"); // the coolant fails
   ASSERT_TRUE(becomes(State::Faulted));
   EXPECT_TRUE(m_window.findChild<QLabel*>(QStringLiteral("alarmText"))->text().contains(QStringLiteral("coolant")));
@@ -191,6 +200,205 @@ TEST_F(MachineWindow, DoesNotStartWhereTheButtonIsLetGoTooSoonAndShowsNoEmergenc
   }
 }
 
+TEST_F(MachineWindow, JogsByAStepWithTheSpaceBar) {
+  tap("pageSetup");
+  tap("enable");
+  tap("home");
+  ASSERT_TRUE(becomes(State::Idle));
+  tap("jogStep3"); // 1 mm
+  ASSERT_TRUE(QTest::qWaitFor([&] { return button("jogXPlus")->isEnabled(); }, test::kPatience));
+  const Eigen::Vector3d before = m_window.machine().report().commanded;
+  button("jogXPlus")->setFocus();
+  QTest::keyClick(button("jogXPlus"), Qt::Key_Space);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return m_window.machine().report().commanded != before; }, test::kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return m_window.machine().report().state == State::Idle; }, test::kPatience));
+  const Eigen::Vector3d way = m_window.machine().report().commanded - before;
+  EXPECT_LT((way - Eigen::Vector3d(1, 0, 0)).norm(), 1e-9) << way.transpose();
+  EXPECT_EQ(m_window.machine().jobState(), JobState::Idle); // nothing here starts a job
+}
+
+TEST_F(MachineWindow, SetsTheOriginHereAndAsTyped) {
+  tap("pageSetup");
+  tap("enable");
+  tap("home");
+  ASSERT_TRUE(becomes(State::Idle));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return m_window.machine().allowed().move; }, test::kPatience));
+  const Eigen::Vector3d at = m_window.machine().report().commanded;
+  tap("showByHand");
+  tap("originHereX");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return m_window.machine().report().origin.x() == at.x(); }, test::kPatience));
+  EXPECT_EQ(m_window.machine().report().origin.y(), 0);
+  auto* typed = m_window.findChild<QLineEdit*>(QStringLiteral("origin_y_mm"));
+  typed->setText(QStringLiteral("12.5"));
+  tap("originSet");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return m_window.machine().report().origin.y() == 12.5; }, test::kPatience));
+  EXPECT_NEAR(m_window.machine().report().origin.x(), at.x(), 1e-6); // as it is shown
+  EXPECT_EQ(m_window.machine().report().origin.z(), 0);
+  typed->setText(QStringLiteral("wide"));
+  EXPECT_FALSE(button("originSet")->isEnabled());
+  EXPECT_TRUE(label("originHint").contains(QStringLiteral("not a number")));
+}
+
+TEST_F(MachineWindow, JudgesPanesAndCountsTheGoodOnes) {
+  getReady();
+  tap("panesMore");
+  EXPECT_EQ(label("panesWanted"), QStringLiteral("2"));
+  EXPECT_FALSE(button("paneGood")->isEnabled());
+  holdDown("cycleStart");
+  ASSERT_TRUE(becomes(JobState::Ended));
+  tap("paneReject");
+  EXPECT_TRUE(label("paneCounts").contains(QStringLiteral("Pane 2 of 3: 0 good, 1 rejected")))
+      << "rejects are ground anew";
+  holdDown("cycleStart");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return m_window.machine().panesDone() == 2; }, test::kPatience));
+  tap("paneGood");
+  EXPECT_TRUE(label("paneCounts").contains(QStringLiteral("Pane 3 of 3: 1 good, 1 rejected")));
+  EXPECT_FALSE(button("paneGood")->isEnabled());
+}
+
+TEST_F(MachineWindow, ChangesTheSizeForTheNextPaneAndLeavesTheLoadedJobAlone) {
+  getReady();
+  tap("panesMore");
+  const PlanPointer loaded = m_window.machine().loaded();
+  getOntoGlass();
+  tap("correctionUp");
+  tap("correctionUp");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !m_window.planner().isBusy(); }, test::kPatience));
+  EXPECT_DOUBLE_EQ(m_window.planner().recipe().sizeCorrection, 0.02);
+  EXPECT_EQ(m_window.machine().loaded(), loaded);
+  EXPECT_TRUE(label("revision").contains(QStringLiteral("stays as it was loaded")));
+  EXPECT_FALSE(button("loadJob")->isEnabled());
+  m_window.machine().setOverride(1);
+  ASSERT_TRUE(becomes(JobState::Ended));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return button("loadJob")->isEnabled(); }, test::kPatience));
+  EXPECT_EQ(m_window.machine().loaded(), loaded);
+  EXPECT_EQ(loaded->job.recipe.sizeCorrection, 0);
+  EXPECT_TRUE(label("revision").contains(QStringLiteral("for the next pane")));
+  EXPECT_EQ(button("loadJob")->text(), QStringLiteral("Load for the next pane"));
+  tap("loadJob");
+  EXPECT_DOUBLE_EQ(m_window.machine().loaded()->job.recipe.sizeCorrection, 0.02);
+  EXPECT_TRUE(label("paneCounts").contains(QStringLiteral("Pane 2 of 2: 1 good")));
+}
+
+TEST_F(MachineWindow, SaysInWordsWhyNothingIsLoadedInAnInterruption) {
+  getReady();
+  getOntoGlass();
+  tap("feedHold");
+  ASSERT_TRUE(becomes(JobState::Interrupted));
+  EXPECT_FALSE(button("loadJob")->isEnabled());
+  EXPECT_TRUE(label("revision").contains(QStringLiteral("resume it, or stop it, before a job is loaded")));
+}
+
+TEST_F(MachineWindow, ShowsTheWayToTheEndOfTheLineAndTheProgrammedSpeed) {
+  getReady();
+  EXPECT_EQ(label("toGoX"), QStringLiteral("–"));
+  getOntoGlass();
+  tap("feedHold");
+  ASSERT_TRUE(becomes(State::Held));
+  QTest::qWait(20);
+  const control::Report& report = m_window.machine().report();
+  const motion::Segment& on = m_window.machine().loaded()->job.track[static_cast<std::size_t>(report.place.segment)];
+  const Eigen::Vector3d end = motion::evaluate(on, motion::parameterLength(on)).point;
+  EXPECT_NEAR(QLocale().toDouble(label("toGoX")), end.x() - report.measured.x(), 0.001);
+  EXPECT_NEAR(QLocale().toDouble(label("toGoY")), end.y() - report.measured.y(), 0.001);
+  EXPECT_TRUE(label("speed").contains(QStringLiteral("of 360 mm/min"))); // at 10 %
+}
+
+// The pages are made anew whenever language, units or appearance change.
+TEST_F(MachineWindow, ShowsThePresentStateOnAPageThatIsMadeAnew) {
+  getReady();
+  tap("panesMore");
+  tap("pageSetup");
+  tap("jogStep2");
+  tap("showByHand");
+  getOntoGlass();
+  tap("feedHold");
+  ASSERT_TRUE(becomes(JobState::Interrupted));
+  const RunPage run(m_window.planner(), m_window.machine());
+  const auto labelOf = [](const QWidget& page, const char* name) {
+    return page.findChild<QLabel*>(QString::fromLatin1(name))->text();
+  };
+  EXPECT_EQ(labelOf(run, "panesWanted"), QStringLiteral("2"));
+  EXPECT_EQ(labelOf(run, "paneCounts"), label("paneCounts"));
+  EXPECT_EQ(labelOf(run, "revision"), label("revision"));
+  EXPECT_NE(labelOf(run, "placeX"), QStringLiteral("–"));
+  EXPECT_TRUE(run.findChild<QPushButton*>(QStringLiteral("resume"))->isEnabled());
+  const SetupPage setup(m_window.machine());
+  EXPECT_TRUE(setup.findChild<QPushButton*>(QStringLiteral("jogStep2"))->isChecked());
+  EXPECT_TRUE(setup.findChild<QPushButton*>(QStringLiteral("showByHand"))->isChecked());
+}
+
+TEST(JogEnable, ThatIsMissingIsAskedForOnTheSetupPage) {
+  const test::Scratch scratch;
+  MachineSetup setup = test::fastMachine(scratch);
+  setup.machine.jogEnableRequired = true;
+  MachineLink machine(setup);
+  SetupPage page(machine);
+  const auto hint = [&] { return page.findChild<QLabel*>(QStringLiteral("jogHint"))->text(); };
+  auto* jog = page.findChild<QPushButton*>(QStringLiteral("jogXPlus"));
+  machine.enable();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return machine.allowed().home; }, test::kPatience));
+  EXPECT_FALSE(jog->isEnabled());
+  EXPECT_TRUE(hint().contains(QStringLiteral("jog enable on the panel")));
+  page.findChild<QPushButton*>(QStringLiteral("simulateJogEnable"))->click();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return jog->isEnabled(); }, test::kPatience));
+  EXPECT_FALSE(hint().contains(QStringLiteral("jog enable")));
+}
+
+/// One window after the other on one state folder, with a drawing from the disk.
+TEST(ResumedWindow, TakesUpTheJobThatTheWindowBeforeLeftInTheMiddle) {
+  const test::Scratch scratch;
+  const MachineSetup setup = setupOf(scratch, control::Pace::Simulated);
+  const auto tap = [](MainWindow& window, const char* name) {
+    auto* button = window.findChild<QPushButton*>(QString::fromLatin1(name));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return button->isEnabled() && button->isVisible(); }, test::kPatience)) << name;
+    QTest::mouseClick(button, Qt::LeftButton);
+  };
+  const auto start = [&](MainWindow& window) {
+    tap(window, "pageSetup");
+    tap(window, "enable");
+    tap(window, "home");
+    tap(window, "pageRun");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window.machine().allowed().start; }, test::kPatience));
+    window.machine().start();
+  };
+  double ground = 0;
+  {
+    MainWindow first(setup);
+    first.resize(1024, 700);
+    first.show();
+    first.openPattern(ARRIS_SOURCE_DIR "/resources/samples/triangle.dxf");
+    tap(first, "pageRun");
+    tap(first, "loadJob");
+    start(first);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return first.machine().progress() > 0.3; }, test::kPatience));
+    ground = first.machine().progress();
+    ASSERT_LT(ground, 0.95);
+  }
+  MainWindow second(setup);
+  second.resize(1024, 700);
+  second.show();
+  tap(second, "pageRun");
+  auto* text = second.findChild<QLabel*>(QStringLiteral("resumeText"));
+  EXPECT_TRUE(text->text().contains(QStringLiteral("triangle.dxf, pane 1 of 1, interrupted by a stop")))
+      << text->text().toStdString();
+  test::keep("run-resume-offer", second);
+  tap(second, "resumeDiscard");
+  EXPECT_TRUE(text->text().contains(QStringLiteral("cannot be resumed then")));
+  tap(second, "resumeKeep");
+  tap(second, "resumeTakeUp");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return second.machine().loaded() != nullptr; }, test::kPatience));
+  EXPECT_FALSE(second.findChild<QWidget*>(QStringLiteral("resumeBar"))->isVisible());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return second.planner().plan() && !second.planner().isBusy(); }, test::kPatience));
+  EXPECT_FALSE(second.machine().isRevision(*second.planner().plan()));
+  double least = 1;
+  QObject::connect(&second.machine(), &MachineLink::reported, &second,
+                   [&] { least = std::min(least, second.machine().progress()); });
+  start(second);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return second.machine().jobState() == JobState::Ended; }, test::kPatience));
+  EXPECT_GE(least, ground);
+}
+
 /// What ends a jog although the finger still lies on the button.
 class Jog : public MachineWindow, public testing::WithParamInterface<const char*> {
 protected:
@@ -245,6 +453,45 @@ TEST_F(MachineWindow, AsksBeforeItClosesWhileTheMachineMovesAndStopsItFirst) {
   EXPECT_FALSE(control::isMoving(m_window.machine().report().state));
 }
 
+class LongWordedMachineWindow : public test::LongTexts, public MachineWindow {
+protected:
+  LongWordedMachineWindow()
+      : LongTexts({"arris::ui::SetupPage", "arris::ui::ByHandPanel", "arris::ui::RunPage", "arris::ui::OrderPanel",
+                   "arris::ui::ResumeBar", "Services", "SimulatedFault"}) {}
+
+  void expectShown(const char* name) {
+    for (int i = 0; i < 5; ++i) { // layouts settle in turns
+      QTest::qWait(1);
+    }
+    EXPECT_EQ(m_window.size(), QSize(1024, 700)) << name;
+    test::expectNothingCutOff(m_window);
+    keep(name);
+  }
+};
+
+TEST_F(LongWordedMachineWindow, HasRoomForTextsThatAreFortyPercentLonger) {
+  for (const char* part : {"showByHand", "showSimulation", "showMoving"}) {
+    tap("pageSetup");
+    tap(part);
+    expectShown((std::string("long-") + part).c_str());
+  }
+  getReady();
+  expectShown("long-run-loaded");
+  getOntoGlass();
+  tap("correctionUp");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !m_window.planner().isBusy(); }, test::kPatience));
+  expectShown("long-run-running");
+  tap("feedHold");
+  ASSERT_TRUE(becomes(JobState::Interrupted));
+  expectShown("long-run-interrupted");
+  tap("stop");
+  ASSERT_TRUE(becomes(JobState::Aborted));
+  expectShown("long-run-aborted");
+  tap("pageSetup");
+  tap("showByHand");
+  expectShown("long-setup-aborted");
+}
+
 class TranslatedMachineWindow : public testing::WithParamInterface<std::string>,
                                 public test::Language,
                                 public MachineWindow {
@@ -262,7 +509,8 @@ protected:
 };
 
 TEST_P(TranslatedMachineWindow, ShowsEverythingOnTheSmallestScreen) {
-  for (const char* page : {"pageSetup", "pageRun", "pageProfiles"}) {
+  for (const char* page : {"showByHand", "showSimulation", "showMoving", "pageRun", "pageProfiles"}) {
+    tap("pageSetup");
     tap(page);
     expectShown(std::string(page) + "-empty");
   }
@@ -281,6 +529,28 @@ TEST_P(TranslatedMachineWindow, ShowsEverythingOnTheSmallestScreen) {
   expectShown("setup-fault");
   tap("pageRun");
   expectShown("run-fault");
+}
+
+TEST_P(TranslatedMachineWindow, ShowsOrderOriginAndRevisionOnTheSmallestScreen) {
+  getReady();
+  tap("correctionUp");
+  tap("loadJob");
+  tap("pageSetup");
+  tap("showByHand");
+  tap("coolantOn");
+  expectShown("setup-by-hand");
+  tap("showMoving");
+  tap("jogStep2");
+  expectShown("setup-jog-by-steps");
+  tap("pageRun");
+  tap("panesMore");
+  holdDown("cycleStart");
+  ASSERT_TRUE(becomes(JobState::Ended));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return button("paneGood")->isEnabled(); }, test::kPatience));
+  expectShown("run-ended");
+  tap("correctionUp");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return button("loadJob")->isEnabled(); }, test::kPatience));
+  expectShown("run-revision");
 }
 
 TEST_P(TranslatedMachineWindow, HasRoomForEveryAlarm) {
