@@ -298,6 +298,257 @@
         <source>an axis</source>
         <translation>Eine Achse</translation>
     </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm/s²</source>
+        <translation>%1 mm/s²</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 periods</source>
+        <translation>%1 Takte</translation>
+    </message>
+</context>
+<context>
+    <name>JobSheet</name>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>X %1, Y %2 mm</source>
+        <translation>X %1, Y %2 mm</translation>
+    </message>
+    <message>
+        <source>chosen by the program</source>
+        <translation>vom Programm gewählt</translation>
+    </message>
+    <message>
+        <source>Job sheet: %1</source>
+        <translation>Auftragsblatt: %1</translation>
+    </message>
+    <message>
+        <source>X reversed</source>
+        <translation>X umgekehrt</translation>
+    </message>
+    <message>
+        <source>Y reversed</source>
+        <translation>Y umgekehrt</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>foot</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>Accelerations bind</source>
+        <translation>Beschleunigungen gelten</translation>
+    </message>
+    <message>
+        <source>each axis on its own</source>
+        <translation>für jede Achse einzeln</translation>
+    </message>
+    <message>
+        <source>X and Y together</source>
+        <translation>für X und Y gemeinsam</translation>
+    </message>
+    <message>
+        <source>Direction round outlines</source>
+        <translation>Umlaufsinn an Außenkonturen</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>counter-clockwise</source>
+        <translation>gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>Gespiegelt</translation>
+    </message>
+    <message>
+        <source>Unit of the drawing</source>
+        <translation>Einheit der Zeichnung</translation>
+    </message>
+    <message>
+        <source>as its file says</source>
+        <translation>wie in der Datei</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Layer</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>What the wheel cannot reach may stay unground</source>
+        <translation>Unerreichbares darf ungeschliffen bleiben</translation>
+    </message>
+    <message>
+        <source>Start nearest to</source>
+        <translation>Start möglichst nahe bei</translation>
+    </message>
+    <message>
+        <source>Lower left of the pane</source>
+        <translation>Glasscheibe links unten</translation>
+    </message>
+    <message>
+        <source>Travel</source>
+        <translation>Verfahrbereich</translation>
+    </message>
+    <message>
+        <source>Greatest speed</source>
+        <translation>Höchstgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Greatest acceleration</source>
+        <translation>Höchstbeschleunigung</translation>
+    </message>
+    <message>
+        <source>Park position</source>
+        <translation>Parkposition</translation>
+    </message>
+    <message>
+        <source>Feed when going down</source>
+        <translation>Vorschub beim Absenken</translation>
+    </message>
+    <message>
+        <source>Period of the axes</source>
+        <translation>Takt der Achsen</translation>
+    </message>
+    <message>
+        <source>Back-off from the glass</source>
+        <translation>Rückzug vom Glas</translation>
+    </message>
+    <message>
+        <source>%1 mm after %2 s</source>
+        <translation>%1 mm nach %2 s</translation>
+    </message>
+    <message>
+        <source>Following error allowed</source>
+        <translation>Zulässiger Schleppabstand</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>Contour</source>
+        <translation>Kontur</translation>
+    </message>
+    <message>
+        <source>Angle β</source>
+        <translation>Winkel β</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Treatment</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Speed v, mm/s</source>
+        <translation>Geschw. v, mm/s</translation>
+    </message>
+    <message>
+        <source>Time t, s</source>
+        <translation>Zeit t, s</translation>
+    </message>
+    <message>
+        <source>Relief margin, mm</source>
+        <translation>Freigangreserve, mm</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>None.</source>
+        <translation>Keine.</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Zeiten</translation>
+    </message>
+    <message>
+        <source>The pattern cannot be ground.</source>
+        <translation>Das Muster ist nicht schleifbar.</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>Grinding, lead-in to lead-out</source>
+        <translation>Schleifen, mit An- und Abfahrweg</translation>
+    </message>
+    <message>
+        <source>Whole program</source>
+        <translation>Ganzes Programm</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Rezept</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Repairs of the drawing</source>
+        <translation>Reparaturen der Zeichnung</translation>
+    </message>
+    <message>
+        <source>%1, continued</source>
+        <translation>%1, Fortsetzung</translation>
+    </message>
 </context>
 <context>
     <name>JobState</name>
@@ -395,6 +646,73 @@
     <message>
         <source>Note, repair</source>
         <translation>Hinweis, Reparatur</translation>
+    </message>
+</context>
+<context>
+    <name>Machine</name>
+    <message>
+        <source>Feed of plunges</source>
+        <translation>Vorschub beim Absenken</translation>
+    </message>
+    <message>
+        <source>Servo period</source>
+        <translation>Servotakt</translation>
+    </message>
+    <message>
+        <source>Homing: speed towards the switch</source>
+        <translation>Referenzfahrt: Geschwindigkeit zum Schalter</translation>
+    </message>
+    <message>
+        <source>Homing: speed off the switch</source>
+        <translation>Referenzfahrt: Geschwindigkeit vom Schalter weg</translation>
+    </message>
+    <message>
+        <source>Fastest jog</source>
+        <translation>Höchste Tippgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Set-points ahead of time</source>
+        <translation>Vorlauf der Sollwerte</translation>
+    </message>
+    <message>
+        <source>Greatest following error</source>
+        <translation>Größter Schleppabstand</translation>
+    </message>
+    <message>
+        <source>Backing off in a hold</source>
+        <translation>Rückzug bei Halt</translation>
+    </message>
+    <message>
+        <source>At rest before backing off</source>
+        <translation>Stillstand vor dem Rückzug</translation>
+    </message>
+    <message>
+        <source>Longest wait for spindle and coolant</source>
+        <translation>Längste Wartezeit auf Spindel und Kühlmittel</translation>
+    </message>
+    <message>
+        <source>Travel of the axes</source>
+        <translation>Verfahrbereich der Achsen</translation>
+    </message>
+    <message>
+        <source>Greatest speeds of the axes</source>
+        <translation>Höchstgeschwindigkeiten der Achsen</translation>
+    </message>
+    <message>
+        <source>Greatest accelerations of the axes</source>
+        <translation>Höchstbeschleunigungen der Achsen</translation>
+    </message>
+    <message>
+        <source>Park position</source>
+        <translation>Parkposition</translation>
+    </message>
+    <message>
+        <source>Reference switches</source>
+        <translation>Referenzschalter</translation>
+    </message>
+    <message>
+        <source>Jog only while the panel&apos;s jog enable is held</source>
+        <translation>Tippen nur bei gehaltener Tippfreigabe am Bedienpult</translation>
     </message>
 </context>
 <context>
@@ -845,6 +1163,30 @@
         <source>{file} is not whole: {reason} at byte {byte}. What can be read is used.</source>
         <translation>{file} ist nicht vollständig: {reason} (ab Byte {byte}). Was lesbar ist, wird verwendet.</translation>
     </message>
+    <message>
+        <source>{file} is damaged: it was kept as {aside}, and defaults are in effect.</source>
+        <translation>{file} ist beschädigt: Die Datei wurde als {aside} aufgehoben, und es gelten die Vorgabewerte.</translation>
+    </message>
+    <message>
+        <source>{file} is damaged and was kept as {kept}; hours and metres are counted from zero.</source>
+        <translation>{file} ist beschädigt und wurde als {kept} aufgehoben; Stunden und Meter werden ab null gezählt.</translation>
+    </message>
+    <message>
+        <source>{file} is not a back-up that can be restored: {reason}.</source>
+        <translation>{file} ist keine Sicherung, die sich einlesen lässt: {reason}.</translation>
+    </message>
+    <message>
+        <source>The job that was broken off is of another pattern or an earlier state of it: {file} had the fingerprint {was}, now it has {is}.</source>
+        <translation>Der abgebrochene Auftrag gehört zu einem anderen Muster oder einem früheren Stand davon: {file} hatte den Fingerabdruck {was}, jetzt hat die Datei {is}.</translation>
+    </message>
+    <message>
+        <source>The job that was broken off was planned for another machine: {key} was {was}, now it is {is}.</source>
+        <translation>Der abgebrochene Auftrag wurde für eine andere Maschine geplant: {key} war {was}, jetzt ist es {is}.</translation>
+    </message>
+    <message>
+        <source>The place where the job was broken off (segment {segment}, {lambda_mm} mm) is not on the job as it is planned now.</source>
+        <translation>Die Stelle, an der der Auftrag abgebrochen wurde (Segment {segment}, {lambda_mm} mm), liegt nicht auf dem Auftrag, wie er jetzt geplant ist.</translation>
+    </message>
 </context>
 <context>
     <name>ProblemWord</name>
@@ -1276,6 +1618,42 @@
         <source>{} is no phase</source>
         <translation>{} ist keine Phase</translation>
     </message>
+    <message>
+        <source>it is no archive of Arris</source>
+        <translation>Sie ist kein Archiv von Arris</translation>
+    </message>
+    <message>
+        <source>it is damaged or cut off</source>
+        <translation>Sie ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>it is larger than a back-up can be</source>
+        <translation>Sie ist größer, als eine Sicherung sein kann</translation>
+    </message>
+    <message>
+        <source>it does not say what it is</source>
+        <translation>Sie sagt nicht, was sie ist</translation>
+    </message>
+    <message>
+        <source>it is a support bundle</source>
+        <translation>Sie ist ein Supportpaket</translation>
+    </message>
+    <message>
+        <source>{} is no plain file</source>
+        <translation>{} ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>{} stands there twice</source>
+        <translation>{} steht zweimal da</translation>
+    </message>
+    <message>
+        <source>{} is no part of a back-up</source>
+        <translation>{} ist kein Teil einer Sicherung</translation>
+    </message>
+    <message>
+        <source>{} is not valid</source>
+        <translation>{} ist nicht gültig</translation>
+    </message>
 </context>
 <context>
     <name>ProfilePage</name>
@@ -1302,6 +1680,22 @@
     <message>
         <source>Between contours</source>
         <translation>Zwischen Konturen</translation>
+    </message>
+    <message>
+        <source>End of the travel</source>
+        <translation>Ende des Verfahrbereichs</translation>
+    </message>
+    <message>
+        <source>Way of the wheel&apos;s centre</source>
+        <translation>Weg der Schleifscheibenmitte</translation>
+    </message>
+    <message>
+        <source>In a corner, from A to C</source>
+        <translation>In einer Ecke, von A bis C</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>Glas</translation>
     </message>
 </context>
 <context>
@@ -1399,6 +1793,37 @@
     </message>
 </context>
 <context>
+    <name>Services</name>
+    <message>
+        <source>Spindle: %1
+Coolant: %2
+Vacuum: %3</source>
+        <translation>Spindel: %1
+Kühlmittel: %2
+Vakuum: %3</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>at speed</source>
+        <translation>auf Drehzahl</translation>
+    </message>
+    <message>
+        <source>comes up to speed</source>
+        <translation>läuft hoch</translation>
+    </message>
+    <message>
+        <source>flows</source>
+        <translation>fließt</translation>
+    </message>
+    <message>
+        <source>holds the glass</source>
+        <translation>hält das Glas</translation>
+    </message>
+</context>
+<context>
     <name>SimulatedFault</name>
     <message>
         <source>Coolant fails</source>
@@ -1491,12 +1916,269 @@
         <translation>Quittieren</translation>
     </message>
     <message>
-        <source>%1 of %2 panes done</source>
-        <translation>%1 von %2 Scheiben fertig</translation>
-    </message>
-    <message>
         <source>No job is loaded</source>
         <translation>Kein Auftrag geladen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 panes good</source>
+        <translation>%1 von %2 Scheiben gut</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::AlarmHistory</name>
+    <message>
+        <source>Reading the alarm log…</source>
+        <translation>Alarmprotokoll wird gelesen…</translation>
+    </message>
+    <message>
+        <source>Alarms: %1</source>
+        <translation>Alarme: %1</translation>
+    </message>
+    <message>
+        <source>Damaged lines of the alarm log, which cannot be read: %1</source>
+        <translation>Beschädigte, nicht lesbare Zeilen des Alarmprotokolls: %1</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::AlarmModel</name>
+    <message>
+        <source>State</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Code, axis, value</source>
+        <translation>Code, Achse, Wert</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Ereignis</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::AlarmPanel</name>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Quittieren</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>Aktiv</translation>
+    </message>
+    <message>
+        <source>Tap an alarm to read its cause and what to do.</source>
+        <translation>Einen Alarm antippen, um Ursache und Abhilfe zu lesen.</translation>
+    </message>
+    <message>
+        <source>No alarm is active.</source>
+        <translation>Kein Alarm ist aktiv.</translation>
+    </message>
+    <message>
+        <source>There has been no alarm yet.</source>
+        <translation>Bisher gab es keinen Alarm.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::AlarmsPage</name>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>Ein- und Ausgänge</translation>
+    </message>
+    <message>
+        <source>Counters and back-up</source>
+        <translation>Zähler und Sicherung</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::BackUpPanel</name>
+    <message>
+        <source>In the machine&apos;s life</source>
+        <translation>Über die Lebensdauer</translation>
+    </message>
+    <message>
+        <source>So far</source>
+        <translation>Bisher</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Einlesen</translation>
+    </message>
+    <message>
+        <source>Keep as it is</source>
+        <translation>So lassen</translation>
+    </message>
+    <message>
+        <source>Reading or writing</source>
+        <translation>Lesen oder Schreiben</translation>
+    </message>
+    <message>
+        <source>Settings, machine, recipes and counters</source>
+        <translation>Einstellungen, Maschine, Rezepte und Zähler</translation>
+    </message>
+    <message>
+        <source>Back up…</source>
+        <translation>Sichern …</translation>
+    </message>
+    <message>
+        <source>Saves all of them in one file.</source>
+        <translation>Speichert sie alle in einer Datei.</translation>
+    </message>
+    <message>
+        <source>Restore…</source>
+        <translation>Einlesen …</translation>
+    </message>
+    <message>
+        <source>Brings them back from such a file: while nothing moves and no job is loaded.</source>
+        <translation>Stellt sie aus einer solchen Datei wieder her: nur solange sich nichts bewegt und kein Auftrag geladen ist.</translation>
+    </message>
+    <message>
+        <source>Support bundle…</source>
+        <translation>Supportpaket …</translation>
+    </message>
+    <message>
+        <source>Saves them with the alarm log, the last runs and versions, for whoever helps.</source>
+        <translation>Speichert sie mit Alarmprotokoll, den letzten Läufen und den Versionen, für alle, die helfen.</translation>
+    </message>
+    <message>
+        <source>Reading or writing…</source>
+        <translation>Lesen oder Schreiben …</translation>
+    </message>
+    <message>
+        <source>Archives (*.tar.gz);;All files (*)</source>
+        <translation>Archive (*.tar.gz);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Back up</source>
+        <translation>Sichern</translation>
+    </message>
+    <message>
+        <source>Support bundle</source>
+        <translation>Supportpaket</translation>
+    </message>
+    <message>
+        <source>Restore a back-up</source>
+        <translation>Sicherung einlesen</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::BackUps</name>
+    <message>
+        <source>Saved: %1. It has what help needs; nothing is sent to anybody.</source>
+        <translation>Gespeichert: %1. Darin ist, was zum Helfen nötig ist; es wird niemandem etwas gesendet.</translation>
+    </message>
+    <message>
+        <source>There is nothing to back up yet: no settings, machine, recipes or counters have been kept so far.</source>
+        <translation>Es gibt noch nichts zu sichern: Bisher wurden weder Einstellungen noch Maschine, Rezepte oder Zähler gespeichert.</translation>
+    </message>
+    <message>
+        <source>Saved: %1. Files in it: %2.</source>
+        <translation>Gespeichert: %1. Dateien darin: %2.</translation>
+    </message>
+    <message>
+        <source>Restore the back-up of %1? Its files (%2) replace settings, machine, recipes and counters of the same names. What is there now is kept as a back-up.</source>
+        <translation>Sicherung vom %1 einlesen? Ihre Dateien (%2) ersetzen gleichnamige Einstellungen, Maschine, Rezepte und Zähler. Der jetzige Stand wird als Sicherung aufgehoben.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>Es wurde nichts geändert.</translation>
+    </message>
+    <message>
+        <source>What was there before is in %1.</source>
+        <translation>Der vorherige Stand liegt in %1.</translation>
+    </message>
+    <message>
+        <source>Restored. Close Arris and start it again: then it takes effect.</source>
+        <translation>Eingelesen. Arris schließen und neu starten: Dann wird es wirksam.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::ByHandPanel</name>
+    <message>
+        <source>Origin of the table (G54)</source>
+        <translation>Nullpunkt des Tisches (G54)</translation>
+    </message>
+    <message>
+        <source>Zero of the table in X</source>
+        <translation>Tischnullpunkt in X</translation>
+    </message>
+    <message>
+        <source>Zero of the table in Y</source>
+        <translation>Tischnullpunkt in Y</translation>
+    </message>
+    <message>
+        <source>Zero of the table in Z</source>
+        <translation>Tischnullpunkt in Z</translation>
+    </message>
+    <message>
+        <source>Set here</source>
+        <translation>Hier Null</translation>
+    </message>
+    <message>
+        <source>The table&apos;s zero of %1 is where the wheel is</source>
+        <translation>Der Tischnullpunkt in %1 ist dort, wo die Schleifscheibe steht</translation>
+    </message>
+    <message>
+        <source>Set the typed origin</source>
+        <translation>Eingabe übernehmen</translation>
+    </message>
+    <message>
+        <source>Support of the glass</source>
+        <translation>Auflage des Glases</translation>
+    </message>
+    <message>
+        <source>Spindle and coolant by hand</source>
+        <translation>Spindel und Kühlmittel von Hand</translation>
+    </message>
+    <message>
+        <source>Spindle speed by hand</source>
+        <translation>Spindeldrehzahl von Hand</translation>
+    </message>
+    <message>
+        <source>Spindle on</source>
+        <translation>Spindel ein</translation>
+    </message>
+    <message>
+        <source>Spindle off</source>
+        <translation>Spindel aus</translation>
+    </message>
+    <message>
+        <source>Coolant on</source>
+        <translation>Kühlung ein</translation>
+    </message>
+    <message>
+        <source>Coolant off</source>
+        <translation>Kühlung aus</translation>
+    </message>
+    <message>
+        <source>A pane was broken off: its origin stays until it has been ground or given up.</source>
+        <translation>Das Schleifen einer Glasscheibe wurde abgebrochen: Ihr Nullpunkt bleibt, bis sie geschliffen oder aufgegeben ist.</translation>
+    </message>
+    <message>
+        <source>Where the zero of the table lies in machine coordinates. Whether the job still fits into the travel is checked at once.</source>
+        <translation>Wo der Tischnullpunkt in Maschinenkoordinaten liegt. Ob der Auftrag noch in den Verfahrbereich passt, wird sofort geprüft.</translation>
+    </message>
+    <message>
+        <source>The origin can be set when the axes are homed and at rest.</source>
+        <translation>Der Nullpunkt lässt sich setzen, wenn die Achsen referenziert sind und stillstehen.</translation>
+    </message>
+    <message>
+        <source>No job is loaded: its recipe says how high the glass lies.</source>
+        <translation>Kein Auftrag geladen: Das Rezept des Auftrags gibt an, wie hoch das Glas liegt.</translation>
+    </message>
+    <message>
+        <source>Of the job that is loaded: the underside of the glass lies %1 mm above the table, the glass is %2 mm thick, and the middle of the wheel grinds at Z %3 mm.</source>
+        <translation>Zum geladenen Auftrag: Die Glasunterseite liegt %1 mm über dem Tisch, das Glas ist %2 mm dick, und die Mitte der Schleifscheibe schleift bei Z %3 mm.</translation>
     </message>
 </context>
 <context>
@@ -1510,6 +2192,16 @@ HALT</translation>
     <message>
         <source>STOP</source>
         <translation>STOPP</translation>
+    </message>
+    <message>
+        <source>Lock
+30 s</source>
+        <translation>Sperre
+30 s</translation>
+    </message>
+    <message>
+        <source>Lock the screen for 30 s to wipe it</source>
+        <translation>Bildschirm für 30 s sperren, um ihn abzuwischen</translation>
     </message>
 </context>
 <context>
@@ -1602,6 +2294,10 @@ HALT</translation>
         <source>%1 mm of its edges</source>
         <translation>%1 mm der Kanten</translation>
     </message>
+    <message>
+        <source>Distance between wheel and corner over time</source>
+        <translation>Abstand zwischen Schleifscheibe und Ecke über der Zeit</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::CornerModel</name>
@@ -1651,6 +2347,252 @@ mm</translation>
     </message>
 </context>
 <context>
+    <name>arris::ui::Diagnosis</name>
+    <message>
+        <source>Drive ready</source>
+        <translation>Antrieb bereit</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>pressed</source>
+        <translation>gedrückt</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>gelöst</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>hit</source>
+        <translation>belegt</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>Limit switch, low end</source>
+        <translation>Endschalter, unteres Ende</translation>
+    </message>
+    <message>
+        <source>Limit switch, high end</source>
+        <translation>Endschalter, oberes Ende</translation>
+    </message>
+    <message>
+        <source>Reference switch</source>
+        <translation>Referenzschalter</translation>
+    </message>
+    <message>
+        <source>Drive enable (output)</source>
+        <translation>Antriebsfreigabe (Ausgang)</translation>
+    </message>
+    <message>
+        <source>Drive fault</source>
+        <translation>Antriebsstörung</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Encoder</source>
+        <translation>Geber</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>fine</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Following error, mm</source>
+        <translation>Schleppfehler, mm</translation>
+    </message>
+    <message>
+        <source>At worst since the start, mm</source>
+        <translation>Größter seit dem Start, mm</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>Not-Halt</translation>
+    </message>
+    <message>
+        <source>tripped</source>
+        <translation>ausgelöst</translation>
+    </message>
+    <message>
+        <source>Spindle</source>
+        <translation>Spindel</translation>
+    </message>
+    <message>
+        <source>at speed</source>
+        <translation>auf Drehzahl</translation>
+    </message>
+    <message>
+        <source>not at speed</source>
+        <translation>nicht auf Drehzahl</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>Kühlmittel</translation>
+    </message>
+    <message>
+        <source>flows</source>
+        <translation>fließt</translation>
+    </message>
+    <message>
+        <source>does not flow</source>
+        <translation>fließt nicht</translation>
+    </message>
+    <message>
+        <source>Vacuum</source>
+        <translation>Vakuum</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>hält</translation>
+    </message>
+    <message>
+        <source>does not hold</source>
+        <translation>hält nicht</translation>
+    </message>
+    <message>
+        <source>Button cycle start</source>
+        <translation>Taster Zyklusstart</translation>
+    </message>
+    <message>
+        <source>Button feed hold</source>
+        <translation>Taster Vorschub-Halt</translation>
+    </message>
+    <message>
+        <source>Button stop</source>
+        <translation>Taster Stopp</translation>
+    </message>
+    <message>
+        <source>Button jog enable</source>
+        <translation>Taster Tippfreigabe</translation>
+    </message>
+    <message>
+        <source>Override selector</source>
+        <translation>Override-Vorwahl</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 r/min</source>
+        <translation>%1 U/min</translation>
+    </message>
+    <message>
+        <source>Heartbeat</source>
+        <translation>Lebenszeichen</translation>
+    </message>
+    <message>
+        <source>beats</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>stands still</source>
+        <translation>steht</translation>
+    </message>
+    <message>
+        <source>Least lead, periods</source>
+        <translation>Kleinster Vorlauf, Takte</translation>
+    </message>
+    <message>
+        <source>Late wake-ups</source>
+        <translation>Verspätete Takte</translation>
+    </message>
+    <message>
+        <source>Latest wake-up, ms</source>
+        <translation>Größte Verspätung, ms</translation>
+    </message>
+    <message>
+        <source>Buffered pairs</source>
+        <translation>Gepufferte Paare</translation>
+    </message>
+    <message>
+        <source>Lost reports</source>
+        <translation>Verlorene Meldungen</translation>
+    </message>
+    <message>
+        <source>Refused commands</source>
+        <translation>Abgelehnte Befehle</translation>
+    </message>
+    <message>
+        <source>Drives on</source>
+        <translation>Antriebe ein</translation>
+    </message>
+    <message>
+        <source>Spindle on</source>
+        <translation>Spindel ein</translation>
+    </message>
+    <message>
+        <source>Grinding</source>
+        <translation>Schleifen</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Geschliffen</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Panes ground</source>
+        <translation>Scheiben geschliffen</translation>
+    </message>
+    <message>
+        <source>Counted since</source>
+        <translation>Gezählt seit</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::DiagnosisPanel</name>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Ist</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Eingänge</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Ausgänge</translation>
+    </message>
+</context>
+<context>
     <name>arris::ui::DrawingView</name>
     <message>
         <source>Drawing</source>
@@ -1682,6 +2624,19 @@ mm</translation>
     <message>
         <source>Problems (%1)</source>
         <translation>Probleme (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::HelpPage</name>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <comment>language of the manual</comment>
+        <extracomment>The language that the manual is read in: that of this translation, &quot;de&quot; or &quot;zh_CN&quot;.</extracomment>
+        <translation>de</translation>
     </message>
 </context>
 <context>
@@ -1783,6 +2738,18 @@ Programm: %2</translation>
         <source>Keep running</source>
         <translation>Weiterlaufen lassen</translation>
     </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Optionen</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::NumberEdit</name>
@@ -1809,6 +2776,108 @@ Programm: %2</translation>
     <message>
         <source>%1 is out of range; it must be %2.</source>
         <translation>%1: Bitte einen Wert %2 eingeben.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::OrderPanel</name>
+    <message>
+        <source>Good</source>
+        <translation>Gut</translation>
+    </message>
+    <message>
+        <source>The pane is good</source>
+        <translation>Die Scheibe ist gut</translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation>Ausschuss</translation>
+    </message>
+    <message>
+        <source>The pane is a reject</source>
+        <translation>Die Scheibe ist Ausschuss</translation>
+    </message>
+    <message>
+        <source>Fewer panes</source>
+        <translation>Weniger Scheiben</translation>
+    </message>
+    <message>
+        <source>More panes</source>
+        <translation>Mehr Scheiben</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>Grind the next pane smaller</source>
+        <translation>Nächste Scheibe kleiner schleifen</translation>
+    </message>
+    <message>
+        <source>Leave the next pane larger</source>
+        <translation>Nächste Scheibe größer lassen</translation>
+    </message>
+    <message>
+        <source>Size correction, next pane</source>
+        <translation>Maßkorrektur, nächste Scheibe</translation>
+    </message>
+    <message>
+        <source>More leaves the pane larger.</source>
+        <translation>Mehr lässt die Scheibe größer.</translation>
+    </message>
+    <message>
+        <source>Pane %1 of %2: %3 good, %4 rejected</source>
+        <translation>Scheibe %1 von %2: %3 gut, %4 Ausschuss</translation>
+    </message>
+    <message>
+        <source>Load for the next pane</source>
+        <translation>Für nächste Scheibe laden</translation>
+    </message>
+    <message>
+        <source>Load job</source>
+        <translation>Auftrag laden</translation>
+    </message>
+    <message>
+        <source>Pane %1 was broken off: cycle start goes on with it. “Reject”, or loading a job, gives it up.</source>
+        <translation>Scheibe %1 wurde abgebrochen: Der Zyklusstart setzt sie fort. „Ausschuss“ oder das Laden eines Auftrags gibt sie auf.</translation>
+    </message>
+    <message>
+        <source>The pane is interrupted: resume it, or stop it, before a job is loaded.</source>
+        <translation>Die Scheibe ist unterbrochen: fortsetzen oder stoppen, bevor ein Auftrag geladen wird.</translation>
+    </message>
+    <message>
+        <source>What is planned on the page Job cannot be ground: nothing can be loaded before that is mended.</source>
+        <translation>Was auf der Seite „Auftrag“ geplant ist, ist nicht schleifbar: Erst wenn das behoben ist, kann geladen werden.</translation>
+    </message>
+    <message>
+        <source>Values have changed; this pane stays as it was loaded. After it load the job for the next pane.</source>
+        <translation>Werte haben sich geändert; diese Scheibe bleibt, wie sie geladen wurde. Danach den Auftrag für die nächste Scheibe laden.</translation>
+    </message>
+    <message>
+        <source>Pane %1 has ended: good or reject? Changed since it was loaded: load the job again for the next pane.</source>
+        <translation>Scheibe %1 ist beendet: gut oder Ausschuss? Seit dem Laden geändert: für die nächste Scheibe Auftrag neu laden.</translation>
+    </message>
+    <message>
+        <source>Changed since it was loaded: load the job again for the next pane.</source>
+        <translation>Seit dem Laden geändert: für die nächste Scheibe Auftrag neu laden.</translation>
+    </message>
+    <message>
+        <source>Pane %1 has ended: good or reject? It counts as good when the next one begins.</source>
+        <translation>Scheibe %1 ist beendet: gut oder Ausschuss? Sie zählt als gut, wenn die nächste beginnt.</translation>
+    </message>
+    <message>
+        <source>The order is complete.</source>
+        <translation>Die Serie ist fertig.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::PathPlot</name>
+    <message>
+        <source>X, mm</source>
+        <translation>X, mm</translation>
+    </message>
+    <message>
+        <source>Y, mm</source>
+        <translation>Y, mm</translation>
     </message>
 </context>
 <context>
@@ -1908,6 +2977,34 @@ mm</translation>
         <source>feed %1</source>
         <translation>Vorschub %1</translation>
     </message>
+    <message>
+        <source>X position
+mm</source>
+        <translation>X-Position
+mm</translation>
+    </message>
+    <message>
+        <source>X
+mm</source>
+        <translation>X
+mm</translation>
+    </message>
+    <message>
+        <source>Y position
+mm</source>
+        <translation>Y-Position
+mm</translation>
+    </message>
+    <message>
+        <source>Y
+mm</source>
+        <translation>Y
+mm</translation>
+    </message>
+    <message>
+        <source>travel %1</source>
+        <translation>Endlage %1</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::ProfilesPage</name>
@@ -1972,10 +3069,6 @@ mm</translation>
         <translation>Alles</translation>
     </message>
     <message>
-        <source>From the start of the program to its end</source>
-        <translation>Vom Anfang des Programms bis zu seinem Ende</translation>
-    </message>
-    <message>
         <source>Reading</source>
         <translation>Lesen</translation>
     </message>
@@ -2027,6 +3120,66 @@ mm</translation>
         <source>Save picture</source>
         <translation>Bild speichern</translation>
     </message>
+    <message>
+        <source>Profile…</source>
+        <translation>Profil …</translation>
+    </message>
+    <message>
+        <source>Save the profile as a table (CSV)</source>
+        <translation>Das Profil als Tabelle (CSV) speichern</translation>
+    </message>
+    <message>
+        <source>Job sheet…</source>
+        <translation>Blatt …</translation>
+    </message>
+    <message>
+        <source>Save drawing, values, corners and times of the job as PDF</source>
+        <translation>Zeichnung, Werte, Ecken und Zeiten des Auftrags als PDF speichern</translation>
+    </message>
+    <message>
+        <source>Speeds</source>
+        <translation>Geschw.</translation>
+    </message>
+    <message>
+        <source>Velocities, accelerations and distance to the corner over time</source>
+        <translation>Geschwindigkeiten, Beschleunigungen und Abstand zur Ecke über der Zeit</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Positionen</translation>
+    </message>
+    <message>
+        <source>X and Y over time</source>
+        <translation>X und Y über der Zeit</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Bahn</translation>
+    </message>
+    <message>
+        <source>The way of the wheel in the plane</source>
+        <translation>Der Weg der Schleifscheibe in der Ebene</translation>
+    </message>
+    <message>
+        <source>From the start of the program to its end; of the path: all of the travel</source>
+        <translation>Vom Anfang des Programms bis zu seinem Ende; bei der Bahn: der ganze Verfahrbereich</translation>
+    </message>
+    <message>
+        <source>%1, corner %2</source>
+        <translation>%1, Ecke %2</translation>
+    </message>
+    <message>
+        <source>Save the profile of the run %1</source>
+        <translation>Profil des Laufs %1 speichern</translation>
+    </message>
+    <message>
+        <source>Save the planned profile</source>
+        <translation>Geplantes Profil speichern</translation>
+    </message>
+    <message>
+        <source>Save job sheet</source>
+        <translation>Auftragsblatt speichern</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::RecipePanel</name>
@@ -2062,6 +3215,90 @@ ungeschliffen</translation>
     </message>
 </context>
 <context>
+    <name>arris::ui::ReliefPlot</name>
+    <message>
+        <source>time from A, s</source>
+        <translation>Zeit ab A, s</translation>
+    </message>
+    <message>
+        <source>distance L, mm</source>
+        <translation>Abstand L, mm</translation>
+    </message>
+    <message>
+        <source>relief
+%1 mm</source>
+        <translation>Freigang
+%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::ResumeBar</name>
+    <message>
+        <source>a power failure, or Arris ended</source>
+        <translation>einen Stromausfall oder das Beenden von Arris</translation>
+    </message>
+    <message>
+        <source>Arris ended in a hold</source>
+        <translation>das Beenden von Arris während eines Halts</translation>
+    </message>
+    <message>
+        <source>a stop</source>
+        <translation>einen Stopp</translation>
+    </message>
+    <message>
+        <source>a fault</source>
+        <translation>eine Störung</translation>
+    </message>
+    <message>
+        <source>the emergency stop</source>
+        <translation>den Not-Halt</translation>
+    </message>
+    <message>
+        <source>its end from the terminal</source>
+        <translation>das Beenden vom Terminal aus</translation>
+    </message>
+    <message>
+        <source>Resume the job of %1: %2, pane %3 of %4, interrupted by %5?</source>
+        <translation>Auftrag vom %1 fortsetzen: %2, Scheibe %3 von %4, unterbrochen durch %5?</translation>
+    </message>
+    <message>
+        <source>Take it up</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Understood</source>
+        <translation>Verstanden</translation>
+    </message>
+    <message>
+        <source>Discard it for good</source>
+        <translation>Endgültig verwerfen</translation>
+    </message>
+    <message>
+        <source>The job that was broken off is being read and planned…</source>
+        <translation>Der abgebrochene Auftrag wird gelesen und geplant …</translation>
+    </message>
+    <message>
+        <source>Discard the job that was broken off? It cannot be resumed then.</source>
+        <translation>Den abgebrochenen Auftrag verwerfen? Er kann dann nicht mehr fortgesetzt werden.</translation>
+    </message>
+    <message>
+        <source>The job that was broken off cannot be resumed.</source>
+        <translation>Der abgebrochene Auftrag kann nicht fortgesetzt werden.</translation>
+    </message>
+    <message>
+        <source>The job that was broken off is not resumed; what is known of it is kept as %1.</source>
+        <translation>Der abgebrochene Auftrag wird nicht fortgesetzt; was von ihm bekannt ist, bleibt als %1 erhalten.</translation>
+    </message>
+</context>
+<context>
     <name>arris::ui::RunPage</name>
     <message>
         <source>CYCLE START</source>
@@ -2070,18 +3307,6 @@ ungeschliffen</translation>
     <message>
         <source>Progress</source>
         <translation>Fortschritt</translation>
-    </message>
-    <message>
-        <source>Table, mm</source>
-        <translation>Tisch, mm</translation>
-    </message>
-    <message>
-        <source>Machine, mm</source>
-        <translation>Maschine, mm</translation>
-    </message>
-    <message>
-        <source>Speed, mm/s</source>
-        <translation>Geschw., mm/s</translation>
     </message>
     <message>
         <source>Feed override</source>
@@ -2094,22 +3319,6 @@ ungeschliffen</translation>
     <message>
         <source>Higher feed override</source>
         <translation>Vorschub-Override erhöhen</translation>
-    </message>
-    <message>
-        <source>Fewer panes</source>
-        <translation>Weniger Scheiben</translation>
-    </message>
-    <message>
-        <source>More panes</source>
-        <translation>Mehr Scheiben</translation>
-    </message>
-    <message>
-        <source>Load job</source>
-        <translation>Auftrag laden</translation>
-    </message>
-    <message>
-        <source>Panes</source>
-        <translation>Scheiben</translation>
     </message>
     <message>
         <source>◀ Step back</source>
@@ -2128,10 +3337,6 @@ ungeschliffen</translation>
         <translation>Gedrückt halten, bis der Ring voll ist.</translation>
     </message>
     <message>
-        <source>Changed since it was loaded: load the job again for the next pane.</source>
-        <translation>Seit dem Laden geändert: für die nächste Scheibe Auftrag neu laden.</translation>
-    </message>
-    <message>
         <source>CYCLE START
 where it was broken off</source>
         <translation>ZYKLUSSTART
@@ -2142,36 +3347,169 @@ an der Abbruchstelle</translation>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Spindle: %1
-Coolant: %2
-Vacuum: %3</source>
-        <translation>Spindel: %1
-Kühlmittel: %2
-Vakuum: %3</translation>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
     <message>
-        <source>off</source>
-        <translation>aus</translation>
+        <source>Table</source>
+        <translation>Tisch</translation>
     </message>
     <message>
-        <source>at speed</source>
-        <translation>auf Drehzahl</translation>
+        <source>Machine</source>
+        <translation>Maschine</translation>
     </message>
     <message>
-        <source>comes up to speed</source>
-        <translation>läuft hoch</translation>
+        <source>To go</source>
+        <translation>Rest</translation>
     </message>
     <message>
-        <source>flows</source>
-        <translation>fließt</translation>
+        <source>Speed</source>
+        <translation>Geschw.</translation>
     </message>
     <message>
-        <source>holds the glass</source>
-        <translation>hält das Glas</translation>
+        <source>To go: to the end of the line or arc that the wheel is on.</source>
+        <translation>Rest: bis zum Ende der Geraden oder des Bogens, auf dem die Schleifscheibe ist.</translation>
     </message>
     <message>
-        <source>Time left: %1</source>
-        <translation>Restzeit: %1</translation>
+        <source>%1 of %2 mm/min</source>
+        <translation>%1 von %2 mm/min</translation>
+    </message>
+    <message>
+        <source>%1 mm/min</source>
+        <translation>%1 mm/min</translation>
+    </message>
+    <message>
+        <source>To grind: %1 mm
+Time left: %2</source>
+        <translation>Zu schleifen: %1 mm
+Restzeit: %2</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::SettingsPage</name>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Set this code</source>
+        <translation>Code setzen</translation>
+    </message>
+    <message>
+        <source>Take the code away</source>
+        <translation>Code entfernen</translation>
+    </message>
+    <message>
+        <source>Lock now</source>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>That of the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skalierung</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Längen</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Keypad on the screen</source>
+        <translation>Tastenfeld am Bildschirm</translation>
+    </message>
+    <message>
+        <source>At a touch</source>
+        <translation>Bei Antippen</translation>
+    </message>
+    <message>
+        <source>At a click too</source>
+        <translation>Auch bei Klick</translation>
+    </message>
+    <message>
+        <source>Scale, from the next start</source>
+        <translation>Skalierung, ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>What is changed here counts from the next start of Arris.</source>
+        <translation>Was hier geändert wird, gilt ab dem nächsten Start von Arris.</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>Simuliert</translation>
+    </message>
+    <message>
+        <source>LinuxCNC</source>
+        <translation>LinuxCNC</translation>
+    </message>
+    <message>
+        <source>A code protects the machine&apos;s values and, in the recipe, accelerations, corner speed and acceleration rule. The operator&apos;s values stay open.</source>
+        <translation>Ein Code schützt die Werte der Maschine und im Rezept Beschleunigungen, Übergangsgeschwindigkeit und Beschleunigungsregel. Die Werte des Bedieners bleiben offen.</translation>
+    </message>
+    <message>
+        <source>This is not the code.</source>
+        <translation>Das ist nicht der Code.</translation>
+    </message>
+    <message>
+        <source>A code has %1 to %2 digits.</source>
+        <translation>Ein Code hat %1 bis %2 Ziffern.</translation>
+    </message>
+    <message>
+        <source>No code is set: all values are open.</source>
+        <translation>Kein Code gesetzt: Alle Werte sind offen.</translation>
+    </message>
+    <message>
+        <source>All values are open until they are locked or Arris starts again.</source>
+        <translation>Alle Werte sind offen, bis sie gesperrt werden oder Arris neu startet.</translation>
+    </message>
+    <message>
+        <source>Locked: enter the code to change the machine.</source>
+        <translation>Gesperrt: Code eingeben, um die Maschine zu ändern.</translation>
     </message>
 </context>
 <context>
@@ -2203,10 +3541,6 @@ Vakuum: %3</translation>
     <message>
         <source>Go to the park position</source>
         <translation>Parkposition anfahren</translation>
-    </message>
-    <message>
-        <source>Jog: moves as long as a button is pressed</source>
-        <translation>Tippen: fährt, solange eine Taste gedrückt ist</translation>
     </message>
     <message>
         <source>Fast</source>
@@ -2247,6 +3581,54 @@ Vakuum: %3</translation>
     <message>
         <source>The places are not known yet.</source>
         <translation>Die Positionen sind noch nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Drives and jog</source>
+        <translation>Antriebe, Tippen</translation>
+    </message>
+    <message>
+        <source>Origin and by hand</source>
+        <translation>Nullpunkt, von Hand</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Tippbetrieb</translation>
+    </message>
+    <message>
+        <source>Continuous</source>
+        <translation>Dauernd</translation>
+    </message>
+    <message>
+        <source>Jog as long as a button is pressed</source>
+        <translation>Tippen, solange eine Taste gedrückt ist</translation>
+    </message>
+    <message>
+        <source>Jog by %1 mm</source>
+        <translation>Um %1 mm tippen</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Jog enable on the panel held</source>
+        <translation>Tippfreigabe am Bedienpult gehalten</translation>
+    </message>
+    <message>
+        <source>Press the jog enable on the panel and keep it pressed: without it no axis is jogged.</source>
+        <translation>Tippfreigabe am Bedienpult drücken und gedrückt halten: Ohne sie fährt keine Achse im Tippbetrieb.</translation>
+    </message>
+    <message>
+        <source>An axis moves as long as its button is pressed.</source>
+        <translation>Eine Achse fährt, solange ihre Taste gedrückt ist.</translation>
+    </message>
+    <message>
+        <source>Each press moves an axis by %1 mm.</source>
+        <translation>Jeder Druck bewegt eine Achse um %1 mm.</translation>
     </message>
 </context>
 <context>

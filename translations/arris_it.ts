@@ -298,6 +298,257 @@
         <source>an axis</source>
         <translation>Un asse</translation>
     </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm/s²</source>
+        <translation>%1 mm/s²</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 periods</source>
+        <translation>%1 cicli</translation>
+    </message>
+</context>
+<context>
+    <name>JobSheet</name>
+    <message>
+        <source>yes</source>
+        <translation>sì</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>X %1, Y %2 mm</source>
+        <translation>X %1, Y %2 mm</translation>
+    </message>
+    <message>
+        <source>chosen by the program</source>
+        <translation>scelto dal programma</translation>
+    </message>
+    <message>
+        <source>Job sheet: %1</source>
+        <translation>Scheda di lavoro: %1</translation>
+    </message>
+    <message>
+        <source>X reversed</source>
+        <translation>X invertita</translation>
+    </message>
+    <message>
+        <source>Y reversed</source>
+        <translation>Y invertita</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>pollice</translation>
+    </message>
+    <message>
+        <source>foot</source>
+        <translation>piede</translation>
+    </message>
+    <message>
+        <source>Accelerations bind</source>
+        <translation>Limiti di accelerazione</translation>
+    </message>
+    <message>
+        <source>each axis on its own</source>
+        <translation>per ogni asse</translation>
+    </message>
+    <message>
+        <source>X and Y together</source>
+        <translation>X e Y insieme</translation>
+    </message>
+    <message>
+        <source>Direction round outlines</source>
+        <translation>Senso sui contorni esterni</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>orario</translation>
+    </message>
+    <message>
+        <source>counter-clockwise</source>
+        <translation>antiorario</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>Specchiatura</translation>
+    </message>
+    <message>
+        <source>Unit of the drawing</source>
+        <translation>Unità del disegno</translation>
+    </message>
+    <message>
+        <source>as its file says</source>
+        <translation>come da file</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Layer</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>tutti</translation>
+    </message>
+    <message>
+        <source>What the wheel cannot reach may stay unground</source>
+        <translation>Non molare dove la mola non arriva</translation>
+    </message>
+    <message>
+        <source>Start nearest to</source>
+        <translation>Inizio più vicino a</translation>
+    </message>
+    <message>
+        <source>Lower left of the pane</source>
+        <translation>In basso a sinistra della lastra</translation>
+    </message>
+    <message>
+        <source>Travel</source>
+        <translation>Corsa</translation>
+    </message>
+    <message>
+        <source>Greatest speed</source>
+        <translation>Velocità massima</translation>
+    </message>
+    <message>
+        <source>Greatest acceleration</source>
+        <translation>Accelerazione massima</translation>
+    </message>
+    <message>
+        <source>Park position</source>
+        <translation>Posizione di parcheggio</translation>
+    </message>
+    <message>
+        <source>Feed when going down</source>
+        <translation>Avanzamento in discesa</translation>
+    </message>
+    <message>
+        <source>Period of the axes</source>
+        <translation>Periodo degli assi</translation>
+    </message>
+    <message>
+        <source>Back-off from the glass</source>
+        <translation>Allontanamento dal vetro</translation>
+    </message>
+    <message>
+        <source>%1 mm after %2 s</source>
+        <translation>%1 mm dopo %2 s</translation>
+    </message>
+    <message>
+        <source>Following error allowed</source>
+        <translation>Errore inseguimento ammesso</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Spigolo</translation>
+    </message>
+    <message>
+        <source>Contour</source>
+        <translation>Contorno</translation>
+    </message>
+    <message>
+        <source>Angle β</source>
+        <translation>Angolo β</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>Treatment</source>
+        <translation>Tipo</translation>
+    </message>
+    <message>
+        <source>Speed v, mm/s</source>
+        <translation>Vel. v, mm/s</translation>
+    </message>
+    <message>
+        <source>Time t, s</source>
+        <translation>Tempo t, s</translation>
+    </message>
+    <message>
+        <source>Relief margin, mm</source>
+        <translation>Marg. distacco, mm</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Spigoli</translation>
+    </message>
+    <message>
+        <source>None.</source>
+        <translation>Nessuno.</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Tempi</translation>
+    </message>
+    <message>
+        <source>The pattern cannot be ground.</source>
+        <translation>La sagoma non è molabile.</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Fase</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durata</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Quota</translation>
+    </message>
+    <message>
+        <source>Grinding, lead-in to lead-out</source>
+        <translation>Molatura, da attacco a uscita</translation>
+    </message>
+    <message>
+        <source>Whole program</source>
+        <translation>Intero programma</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Pagina %1 di %2</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Ricetta</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Macchina</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Problemi</translation>
+    </message>
+    <message>
+        <source>Repairs of the drawing</source>
+        <translation>Riparazioni del disegno</translation>
+    </message>
+    <message>
+        <source>%1, continued</source>
+        <translation>%1, continua</translation>
+    </message>
 </context>
 <context>
     <name>JobState</name>
@@ -395,6 +646,73 @@
     <message>
         <source>Note, repair</source>
         <translation>Nota, riparazione</translation>
+    </message>
+</context>
+<context>
+    <name>Machine</name>
+    <message>
+        <source>Feed of plunges</source>
+        <translation>Avanzamento in discesa</translation>
+    </message>
+    <message>
+        <source>Servo period</source>
+        <translation>Periodo servo</translation>
+    </message>
+    <message>
+        <source>Homing: speed towards the switch</source>
+        <translation>Azzeramento: vel. verso il finecorsa</translation>
+    </message>
+    <message>
+        <source>Homing: speed off the switch</source>
+        <translation>Azzeramento: vel. dal finecorsa</translation>
+    </message>
+    <message>
+        <source>Fastest jog</source>
+        <translation>Velocità massima in jog</translation>
+    </message>
+    <message>
+        <source>Set-points ahead of time</source>
+        <translation>Anticipo dei setpoint</translation>
+    </message>
+    <message>
+        <source>Greatest following error</source>
+        <translation>Errore di inseguimento massimo</translation>
+    </message>
+    <message>
+        <source>Backing off in a hold</source>
+        <translation>Allontanamento in pausa</translation>
+    </message>
+    <message>
+        <source>At rest before backing off</source>
+        <translation>Sosta prima di allontanarsi</translation>
+    </message>
+    <message>
+        <source>Longest wait for spindle and coolant</source>
+        <translation>Attesa massima di mandrino e refrigerante</translation>
+    </message>
+    <message>
+        <source>Travel of the axes</source>
+        <translation>Corsa degli assi</translation>
+    </message>
+    <message>
+        <source>Greatest speeds of the axes</source>
+        <translation>Velocità massime degli assi</translation>
+    </message>
+    <message>
+        <source>Greatest accelerations of the axes</source>
+        <translation>Accelerazioni massime degli assi</translation>
+    </message>
+    <message>
+        <source>Park position</source>
+        <translation>Posizione di parcheggio</translation>
+    </message>
+    <message>
+        <source>Reference switches</source>
+        <translation>Finecorsa di zero</translation>
+    </message>
+    <message>
+        <source>Jog only while the panel&apos;s jog enable is held</source>
+        <translation>Jog solo tenendo premuto il consenso jog sul pannello</translation>
     </message>
 </context>
 <context>
@@ -845,6 +1163,30 @@
         <source>{file} is not whole: {reason} at byte {byte}. What can be read is used.</source>
         <translation>{file} non è completo: {reason} al byte {byte}. Si usa ciò che è leggibile.</translation>
     </message>
+    <message>
+        <source>{file} is damaged: it was kept as {aside}, and defaults are in effect.</source>
+        <translation>{file} è danneggiato: è stato conservato come {aside} e valgono i valori predefiniti.</translation>
+    </message>
+    <message>
+        <source>{file} is damaged and was kept as {kept}; hours and metres are counted from zero.</source>
+        <translation>{file} è danneggiato ed è stato conservato come {kept}; ore e metri vengono contati da zero.</translation>
+    </message>
+    <message>
+        <source>{file} is not a back-up that can be restored: {reason}.</source>
+        <translation>{file} non è un backup ripristinabile: {reason}.</translation>
+    </message>
+    <message>
+        <source>The job that was broken off is of another pattern or an earlier state of it: {file} had the fingerprint {was}, now it has {is}.</source>
+        <translation>Il lavoro interrotto riguarda un&apos;altra sagoma o una sua versione precedente: {file} aveva l&apos;impronta {was}, ora ha {is}.</translation>
+    </message>
+    <message>
+        <source>The job that was broken off was planned for another machine: {key} was {was}, now it is {is}.</source>
+        <translation>Il lavoro interrotto era stato calcolato per un&apos;altra macchina: {key} era {was}, ora è {is}.</translation>
+    </message>
+    <message>
+        <source>The place where the job was broken off (segment {segment}, {lambda_mm} mm) is not on the job as it is planned now.</source>
+        <translation>Il punto in cui il lavoro è stato interrotto (segmento {segment}, {lambda_mm} mm) non si trova sul lavoro come è calcolato ora.</translation>
+    </message>
 </context>
 <context>
     <name>ProblemWord</name>
@@ -1276,6 +1618,42 @@
         <source>{} is no phase</source>
         <translation>{} non è una fase</translation>
     </message>
+    <message>
+        <source>it is no archive of Arris</source>
+        <translation>non è un archivio di Arris</translation>
+    </message>
+    <message>
+        <source>it is damaged or cut off</source>
+        <translation>è danneggiato o troncato</translation>
+    </message>
+    <message>
+        <source>it is larger than a back-up can be</source>
+        <translation>è più grande di quanto possa essere un backup</translation>
+    </message>
+    <message>
+        <source>it does not say what it is</source>
+        <translation>non dice che cosa sia</translation>
+    </message>
+    <message>
+        <source>it is a support bundle</source>
+        <translation>è un pacchetto di assistenza</translation>
+    </message>
+    <message>
+        <source>{} is no plain file</source>
+        <translation>{} non è un file normale</translation>
+    </message>
+    <message>
+        <source>{} stands there twice</source>
+        <translation>{} compare due volte</translation>
+    </message>
+    <message>
+        <source>{} is no part of a back-up</source>
+        <translation>{} non fa parte di un backup</translation>
+    </message>
+    <message>
+        <source>{} is not valid</source>
+        <translation>{} non è valido</translation>
+    </message>
 </context>
 <context>
     <name>ProfilePage</name>
@@ -1302,6 +1680,22 @@
     <message>
         <source>Between contours</source>
         <translation>Fra i contorni</translation>
+    </message>
+    <message>
+        <source>End of the travel</source>
+        <translation>Fine della corsa</translation>
+    </message>
+    <message>
+        <source>Way of the wheel&apos;s centre</source>
+        <translation>Percorso del centro mola</translation>
+    </message>
+    <message>
+        <source>In a corner, from A to C</source>
+        <translation>In uno spigolo, da A a C</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>Vetro</translation>
     </message>
 </context>
 <context>
@@ -1399,6 +1793,37 @@
     </message>
 </context>
 <context>
+    <name>Services</name>
+    <message>
+        <source>Spindle: %1
+Coolant: %2
+Vacuum: %3</source>
+        <translation>Mandrino: %1
+Refrigerante: %2
+Vuoto: %3</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>spento</translation>
+    </message>
+    <message>
+        <source>at speed</source>
+        <translation>a regime</translation>
+    </message>
+    <message>
+        <source>comes up to speed</source>
+        <translation>in accelerazione</translation>
+    </message>
+    <message>
+        <source>flows</source>
+        <translation>scorre</translation>
+    </message>
+    <message>
+        <source>holds the glass</source>
+        <translation>tiene il vetro</translation>
+    </message>
+</context>
+<context>
     <name>SimulatedFault</name>
     <message>
         <source>Coolant fails</source>
@@ -1491,12 +1916,269 @@
         <translation>Conferma</translation>
     </message>
     <message>
-        <source>%1 of %2 panes done</source>
-        <translation>%1 di %2 lastre finite</translation>
-    </message>
-    <message>
         <source>No job is loaded</source>
         <translation>Nessun lavoro caricato</translation>
+    </message>
+    <message>
+        <source>%1 of %2 panes good</source>
+        <translation>Lastre buone: %1 di %2</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::AlarmHistory</name>
+    <message>
+        <source>Reading the alarm log…</source>
+        <translation>Lettura del registro allarmi…</translation>
+    </message>
+    <message>
+        <source>Alarms: %1</source>
+        <translation>Allarmi: %1</translation>
+    </message>
+    <message>
+        <source>Damaged lines of the alarm log, which cannot be read: %1</source>
+        <translation>Righe danneggiate e illeggibili nel registro allarmi: %1</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::AlarmModel</name>
+    <message>
+        <source>State</source>
+        <translation>Stato</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Ora</translation>
+    </message>
+    <message>
+        <source>Code, axis, value</source>
+        <translation>Codice, asse, valore</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Evento</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::AlarmPanel</name>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Conferma</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Tutti</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>Attivi</translation>
+    </message>
+    <message>
+        <source>Tap an alarm to read its cause and what to do.</source>
+        <translation>Toccare un allarme per leggerne la causa e il rimedio.</translation>
+    </message>
+    <message>
+        <source>No alarm is active.</source>
+        <translation>Nessun allarme attivo.</translation>
+    </message>
+    <message>
+        <source>There has been no alarm yet.</source>
+        <translation>Finora non c&apos;è stato alcun allarme.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::AlarmsPage</name>
+    <message>
+        <source>Alarms</source>
+        <translation>Allarmi</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>Ingressi e uscite</translation>
+    </message>
+    <message>
+        <source>Counters and back-up</source>
+        <translation>Contatori e backup</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::BackUpPanel</name>
+    <message>
+        <source>In the machine&apos;s life</source>
+        <translation>Dalla messa in servizio</translation>
+    </message>
+    <message>
+        <source>So far</source>
+        <translation>Finora</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Ripristina</translation>
+    </message>
+    <message>
+        <source>Keep as it is</source>
+        <translation>Lascia così</translation>
+    </message>
+    <message>
+        <source>Reading or writing</source>
+        <translation>Lettura o scrittura</translation>
+    </message>
+    <message>
+        <source>Settings, machine, recipes and counters</source>
+        <translation>Opzioni, macchina, ricette e contatori</translation>
+    </message>
+    <message>
+        <source>Back up…</source>
+        <translation>Salva…</translation>
+    </message>
+    <message>
+        <source>Saves all of them in one file.</source>
+        <translation>Salva tutto in un unico file.</translation>
+    </message>
+    <message>
+        <source>Restore…</source>
+        <translation>Ripristina…</translation>
+    </message>
+    <message>
+        <source>Brings them back from such a file: while nothing moves and no job is loaded.</source>
+        <translation>Li ripristina da un file di questo tipo: a macchina ferma e senza lavoro caricato.</translation>
+    </message>
+    <message>
+        <source>Support bundle…</source>
+        <translation>Pacch. assistenza…</translation>
+    </message>
+    <message>
+        <source>Saves them with the alarm log, the last runs and versions, for whoever helps.</source>
+        <translation>Li salva con registro allarmi, ultime esecuzioni e versioni, per chi assiste.</translation>
+    </message>
+    <message>
+        <source>Reading or writing…</source>
+        <translation>Lettura o scrittura…</translation>
+    </message>
+    <message>
+        <source>Archives (*.tar.gz);;All files (*)</source>
+        <translation>Archivi (*.tar.gz);;Tutti i file (*)</translation>
+    </message>
+    <message>
+        <source>Back up</source>
+        <translation>Salva backup</translation>
+    </message>
+    <message>
+        <source>Support bundle</source>
+        <translation>Pacchetto di assistenza</translation>
+    </message>
+    <message>
+        <source>Restore a back-up</source>
+        <translation>Ripristina un backup</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::BackUps</name>
+    <message>
+        <source>Saved: %1. It has what help needs; nothing is sent to anybody.</source>
+        <translation>Salvato: %1. Contiene ciò che serve all&apos;assistenza; nulla viene inviato a nessuno.</translation>
+    </message>
+    <message>
+        <source>There is nothing to back up yet: no settings, machine, recipes or counters have been kept so far.</source>
+        <translation>Non c&apos;è ancora nulla da salvare: finora non sono stati memorizzati opzioni, macchina, ricette o contatori.</translation>
+    </message>
+    <message>
+        <source>Saved: %1. Files in it: %2.</source>
+        <translation>Salvato: %1. File contenuti: %2.</translation>
+    </message>
+    <message>
+        <source>Restore the back-up of %1? Its files (%2) replace settings, machine, recipes and counters of the same names. What is there now is kept as a back-up.</source>
+        <translation>Ripristinare il backup del %1? I suoi file (%2) sostituiscono opzioni, macchina, ricette e contatori con gli stessi nomi. Lo stato attuale viene conservato come backup.</translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation>Non è stato modificato nulla.</translation>
+    </message>
+    <message>
+        <source>What was there before is in %1.</source>
+        <translation>Lo stato precedente si trova in %1.</translation>
+    </message>
+    <message>
+        <source>Restored. Close Arris and start it again: then it takes effect.</source>
+        <translation>Ripristinato. Chiudere e riavviare Arris: solo allora ha effetto.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::ByHandPanel</name>
+    <message>
+        <source>Origin of the table (G54)</source>
+        <translation>Origine della tavola (G54)</translation>
+    </message>
+    <message>
+        <source>Zero of the table in X</source>
+        <translation>Zero della tavola in X</translation>
+    </message>
+    <message>
+        <source>Zero of the table in Y</source>
+        <translation>Zero della tavola in Y</translation>
+    </message>
+    <message>
+        <source>Zero of the table in Z</source>
+        <translation>Zero della tavola in Z</translation>
+    </message>
+    <message>
+        <source>Set here</source>
+        <translation>Fissa qui</translation>
+    </message>
+    <message>
+        <source>The table&apos;s zero of %1 is where the wheel is</source>
+        <translation>Lo zero %1 della tavola è dove si trova la mola</translation>
+    </message>
+    <message>
+        <source>Set the typed origin</source>
+        <translation>Imposta origine inserita</translation>
+    </message>
+    <message>
+        <source>Support of the glass</source>
+        <translation>Appoggio del vetro</translation>
+    </message>
+    <message>
+        <source>Spindle and coolant by hand</source>
+        <translation>Mandrino e refrigerante in manuale</translation>
+    </message>
+    <message>
+        <source>Spindle speed by hand</source>
+        <translation>Velocità mandrino in manuale</translation>
+    </message>
+    <message>
+        <source>Spindle on</source>
+        <translation>Mandrino ON</translation>
+    </message>
+    <message>
+        <source>Spindle off</source>
+        <translation>Mandrino OFF</translation>
+    </message>
+    <message>
+        <source>Coolant on</source>
+        <translation>Refriger. ON</translation>
+    </message>
+    <message>
+        <source>Coolant off</source>
+        <translation>Refriger. OFF</translation>
+    </message>
+    <message>
+        <source>A pane was broken off: its origin stays until it has been ground or given up.</source>
+        <translation>Una lastra è stata interrotta: la sua origine resta finché non è molata o abbandonata.</translation>
+    </message>
+    <message>
+        <source>Where the zero of the table lies in machine coordinates. Whether the job still fits into the travel is checked at once.</source>
+        <translation>Dove si trova lo zero della tavola in coordinate macchina. Si verifica subito se il lavoro rientra ancora nella corsa.</translation>
+    </message>
+    <message>
+        <source>The origin can be set when the axes are homed and at rest.</source>
+        <translation>L&apos;origine si può impostare quando gli assi sono azzerati e fermi.</translation>
+    </message>
+    <message>
+        <source>No job is loaded: its recipe says how high the glass lies.</source>
+        <translation>Nessun lavoro caricato: la sua ricetta indica a che altezza si trova il vetro.</translation>
+    </message>
+    <message>
+        <source>Of the job that is loaded: the underside of the glass lies %1 mm above the table, the glass is %2 mm thick, and the middle of the wheel grinds at Z %3 mm.</source>
+        <translation>Del lavoro caricato: la faccia inferiore del vetro è %1 mm sopra la tavola, il vetro è spesso %2 mm e il centro della mola lavora a Z %3 mm.</translation>
     </message>
 </context>
 <context>
@@ -1510,6 +2192,16 @@ AVANZ.</translation>
     <message>
         <source>STOP</source>
         <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Lock
+30 s</source>
+        <translation>Blocca
+30 s</translation>
+    </message>
+    <message>
+        <source>Lock the screen for 30 s to wipe it</source>
+        <translation>Blocca lo schermo per 30 s per pulirlo</translation>
     </message>
 </context>
 <context>
@@ -1602,6 +2294,10 @@ AVANZ.</translation>
         <source>%1 mm of its edges</source>
         <translation>%1 mm dei lati</translation>
     </message>
+    <message>
+        <source>Distance between wheel and corner over time</source>
+        <translation>Distanza tra mola e spigolo nel tempo</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::CornerModel</name>
@@ -1651,6 +2347,252 @@ mm</translation>
     </message>
 </context>
 <context>
+    <name>arris::ui::Diagnosis</name>
+    <message>
+        <source>Drive ready</source>
+        <translation>Azionamento pronto</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>pronto</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>spento</translation>
+    </message>
+    <message>
+        <source>pressed</source>
+        <translation>premuto</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>rilasciato</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>hit</source>
+        <translation>attivo</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>libero</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>acceso</translation>
+    </message>
+    <message>
+        <source>Limit switch, low end</source>
+        <translation>Finecorsa minimo</translation>
+    </message>
+    <message>
+        <source>Limit switch, high end</source>
+        <translation>Finecorsa massimo</translation>
+    </message>
+    <message>
+        <source>Reference switch</source>
+        <translation>Finecorsa di zero</translation>
+    </message>
+    <message>
+        <source>Drive enable (output)</source>
+        <translation>Abilit. azionam. (uscita)</translation>
+    </message>
+    <message>
+        <source>Drive fault</source>
+        <translation>Guasto azionam.</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>guasto</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nessuno</translation>
+    </message>
+    <message>
+        <source>Encoder</source>
+        <translation>Encoder</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>perso</translation>
+    </message>
+    <message>
+        <source>fine</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Following error, mm</source>
+        <translation>Errore inseguimento, mm</translation>
+    </message>
+    <message>
+        <source>At worst since the start, mm</source>
+        <translation>Massimo dall&apos;avvio, mm</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>Emergenza</translation>
+    </message>
+    <message>
+        <source>tripped</source>
+        <translation>scattata</translation>
+    </message>
+    <message>
+        <source>Spindle</source>
+        <translation>Mandrino</translation>
+    </message>
+    <message>
+        <source>at speed</source>
+        <translation>a regime</translation>
+    </message>
+    <message>
+        <source>not at speed</source>
+        <translation>non a regime</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>Refrigerante</translation>
+    </message>
+    <message>
+        <source>flows</source>
+        <translation>scorre</translation>
+    </message>
+    <message>
+        <source>does not flow</source>
+        <translation>non scorre</translation>
+    </message>
+    <message>
+        <source>Vacuum</source>
+        <translation>Vuoto</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>tiene</translation>
+    </message>
+    <message>
+        <source>does not hold</source>
+        <translation>non tiene</translation>
+    </message>
+    <message>
+        <source>Button cycle start</source>
+        <translation>Pulsante avvio ciclo</translation>
+    </message>
+    <message>
+        <source>Button feed hold</source>
+        <translation>Pulsante pausa avanz.</translation>
+    </message>
+    <message>
+        <source>Button stop</source>
+        <translation>Pulsante stop</translation>
+    </message>
+    <message>
+        <source>Button jog enable</source>
+        <translation>Pulsante consenso jog</translation>
+    </message>
+    <message>
+        <source>Override selector</source>
+        <translation>Selettore override</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 r/min</source>
+        <translation>%1 giri/min</translation>
+    </message>
+    <message>
+        <source>Heartbeat</source>
+        <translation>Battito</translation>
+    </message>
+    <message>
+        <source>beats</source>
+        <translation>batte</translation>
+    </message>
+    <message>
+        <source>stands still</source>
+        <translation>fermo</translation>
+    </message>
+    <message>
+        <source>Least lead, periods</source>
+        <translation>Anticipo minimo, cicli</translation>
+    </message>
+    <message>
+        <source>Late wake-ups</source>
+        <translation>Risvegli tardivi</translation>
+    </message>
+    <message>
+        <source>Latest wake-up, ms</source>
+        <translation>Ritardo massimo, ms</translation>
+    </message>
+    <message>
+        <source>Buffered pairs</source>
+        <translation>Coppie nel buffer</translation>
+    </message>
+    <message>
+        <source>Lost reports</source>
+        <translation>Report persi</translation>
+    </message>
+    <message>
+        <source>Refused commands</source>
+        <translation>Comandi rifiutati</translation>
+    </message>
+    <message>
+        <source>Drives on</source>
+        <translation>Azionam. accesi</translation>
+    </message>
+    <message>
+        <source>Spindle on</source>
+        <translation>Mandrino acceso</translation>
+    </message>
+    <message>
+        <source>Grinding</source>
+        <translation>Molatura</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Molato</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Panes ground</source>
+        <translation>Lastre molate</translation>
+    </message>
+    <message>
+        <source>Counted since</source>
+        <translation>Contato dal</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::DiagnosisPanel</name>
+    <message>
+        <source>Axes</source>
+        <translation>Assi</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Controllo</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Ora</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Ingressi</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Uscite</translation>
+    </message>
+</context>
+<context>
     <name>arris::ui::DrawingView</name>
     <message>
         <source>Drawing</source>
@@ -1682,6 +2624,19 @@ mm</translation>
     <message>
         <source>Problems (%1)</source>
         <translation>Problemi (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::HelpPage</name>
+    <message>
+        <source>Manual</source>
+        <translation>Manuale d&apos;uso</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <comment>language of the manual</comment>
+        <extracomment>The language that the manual is read in: that of this translation, &quot;de&quot; or &quot;zh_CN&quot;.</extracomment>
+        <translation>it</translation>
     </message>
 </context>
 <context>
@@ -1783,6 +2738,18 @@ Programma: %2</translation>
         <source>Keep running</source>
         <translation>Continua il lavoro</translation>
     </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Allarmi</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Opzioni</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Guida</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::NumberEdit</name>
@@ -1809,6 +2776,108 @@ Programma: %2</translation>
     <message>
         <source>%1 is out of range; it must be %2.</source>
         <translation>%1: fuori dai limiti; inserire un valore %2.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::OrderPanel</name>
+    <message>
+        <source>Good</source>
+        <translation>Buona</translation>
+    </message>
+    <message>
+        <source>The pane is good</source>
+        <translation>La lastra è buona</translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation>Scarto</translation>
+    </message>
+    <message>
+        <source>The pane is a reject</source>
+        <translation>La lastra è uno scarto</translation>
+    </message>
+    <message>
+        <source>Fewer panes</source>
+        <translation>Meno lastre</translation>
+    </message>
+    <message>
+        <source>More panes</source>
+        <translation>Più lastre</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordine</translation>
+    </message>
+    <message>
+        <source>Grind the next pane smaller</source>
+        <translation>Prossima lastra più piccola</translation>
+    </message>
+    <message>
+        <source>Leave the next pane larger</source>
+        <translation>Prossima lastra più grande</translation>
+    </message>
+    <message>
+        <source>Size correction, next pane</source>
+        <translation>Correzione, prossima lastra</translation>
+    </message>
+    <message>
+        <source>More leaves the pane larger.</source>
+        <translation>Un valore maggiore lascia la lastra più grande.</translation>
+    </message>
+    <message>
+        <source>Pane %1 of %2: %3 good, %4 rejected</source>
+        <translation>Lastra %1 di %2: %3 buone, %4 scarti</translation>
+    </message>
+    <message>
+        <source>Load for the next pane</source>
+        <translation>Carica per prossima lastra</translation>
+    </message>
+    <message>
+        <source>Load job</source>
+        <translation>Carica lavoro</translation>
+    </message>
+    <message>
+        <source>Pane %1 was broken off: cycle start goes on with it. “Reject”, or loading a job, gives it up.</source>
+        <translation>La lastra %1 è stata interrotta: l&apos;avvio ciclo la continua. «Scarto», o il caricamento di un lavoro, vi rinuncia.</translation>
+    </message>
+    <message>
+        <source>The pane is interrupted: resume it, or stop it, before a job is loaded.</source>
+        <translation>La lastra è interrotta: riprenderla o arrestarla prima di caricare un lavoro.</translation>
+    </message>
+    <message>
+        <source>What is planned on the page Job cannot be ground: nothing can be loaded before that is mended.</source>
+        <translation>Ciò che è previsto nella pagina «Lavoro» non è molabile: finché non viene corretto non si può caricare nulla.</translation>
+    </message>
+    <message>
+        <source>Values have changed; this pane stays as it was loaded. After it load the job for the next pane.</source>
+        <translation>Valori modificati; questa lastra resta come è stata caricata. Dopo, caricare il lavoro per la prossima lastra.</translation>
+    </message>
+    <message>
+        <source>Pane %1 has ended: good or reject? Changed since it was loaded: load the job again for the next pane.</source>
+        <translation>Lastra %1 terminata: buona o scarto? Modificato dopo il caricamento: ricaricare per la prossima lastra.</translation>
+    </message>
+    <message>
+        <source>Changed since it was loaded: load the job again for the next pane.</source>
+        <translation>Modificato dopo il caricamento: ricaricare per la prossima lastra.</translation>
+    </message>
+    <message>
+        <source>Pane %1 has ended: good or reject? It counts as good when the next one begins.</source>
+        <translation>Lastra %1 terminata: buona o scarto? Vale come buona quando inizia la successiva.</translation>
+    </message>
+    <message>
+        <source>The order is complete.</source>
+        <translation>L&apos;ordine è completo.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::PathPlot</name>
+    <message>
+        <source>X, mm</source>
+        <translation>X, mm</translation>
+    </message>
+    <message>
+        <source>Y, mm</source>
+        <translation>Y, mm</translation>
     </message>
 </context>
 <context>
@@ -1908,6 +2977,34 @@ mm</translation>
         <source>feed %1</source>
         <translation>avanz. %1</translation>
     </message>
+    <message>
+        <source>X position
+mm</source>
+        <translation>Posizione X
+mm</translation>
+    </message>
+    <message>
+        <source>X
+mm</source>
+        <translation>X
+mm</translation>
+    </message>
+    <message>
+        <source>Y position
+mm</source>
+        <translation>Posizione Y
+mm</translation>
+    </message>
+    <message>
+        <source>Y
+mm</source>
+        <translation>Y
+mm</translation>
+    </message>
+    <message>
+        <source>travel %1</source>
+        <translation>corsa %1</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::ProfilesPage</name>
@@ -1972,10 +3069,6 @@ mm</translation>
         <translation>Tutto</translation>
     </message>
     <message>
-        <source>From the start of the program to its end</source>
-        <translation>Dall&apos;inizio alla fine del programma</translation>
-    </message>
-    <message>
         <source>Reading</source>
         <translation>Lettura</translation>
     </message>
@@ -2027,6 +3120,66 @@ mm</translation>
         <source>Save picture</source>
         <translation>Salva immagine</translation>
     </message>
+    <message>
+        <source>Profile…</source>
+        <translation>Profilo…</translation>
+    </message>
+    <message>
+        <source>Save the profile as a table (CSV)</source>
+        <translation>Salva il profilo come tabella (CSV)</translation>
+    </message>
+    <message>
+        <source>Job sheet…</source>
+        <translation>Scheda…</translation>
+    </message>
+    <message>
+        <source>Save drawing, values, corners and times of the job as PDF</source>
+        <translation>Salva disegno, valori, spigoli e tempi del lavoro come PDF</translation>
+    </message>
+    <message>
+        <source>Speeds</source>
+        <translation>Velocità</translation>
+    </message>
+    <message>
+        <source>Velocities, accelerations and distance to the corner over time</source>
+        <translation>Velocità, accelerazioni e distanza dallo spigolo nel tempo</translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation>Posizioni</translation>
+    </message>
+    <message>
+        <source>X and Y over time</source>
+        <translation>X e Y nel tempo</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Perc.</translation>
+    </message>
+    <message>
+        <source>The way of the wheel in the plane</source>
+        <translation>Il percorso della mola nel piano</translation>
+    </message>
+    <message>
+        <source>From the start of the program to its end; of the path: all of the travel</source>
+        <translation>Dall&apos;inizio del programma alla sua fine; per il percorso: tutta la corsa</translation>
+    </message>
+    <message>
+        <source>%1, corner %2</source>
+        <translation>%1, spigolo %2</translation>
+    </message>
+    <message>
+        <source>Save the profile of the run %1</source>
+        <translation>Salva il profilo dell&apos;esecuzione %1</translation>
+    </message>
+    <message>
+        <source>Save the planned profile</source>
+        <translation>Salva il profilo previsto</translation>
+    </message>
+    <message>
+        <source>Save job sheet</source>
+        <translation>Salva scheda lavoro</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::RecipePanel</name>
@@ -2062,6 +3215,90 @@ mola non arriva</translation>
     </message>
 </context>
 <context>
+    <name>arris::ui::ReliefPlot</name>
+    <message>
+        <source>time from A, s</source>
+        <translation>tempo da A, s</translation>
+    </message>
+    <message>
+        <source>distance L, mm</source>
+        <translation>distanza L, mm</translation>
+    </message>
+    <message>
+        <source>relief
+%1 mm</source>
+        <translation>distacco
+%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::ResumeBar</name>
+    <message>
+        <source>a power failure, or Arris ended</source>
+        <translation>mancanza di corrente o chiusura di Arris</translation>
+    </message>
+    <message>
+        <source>Arris ended in a hold</source>
+        <translation>Arris chiuso durante una pausa</translation>
+    </message>
+    <message>
+        <source>a stop</source>
+        <translation>stop</translation>
+    </message>
+    <message>
+        <source>a fault</source>
+        <translation>guasto</translation>
+    </message>
+    <message>
+        <source>the emergency stop</source>
+        <translation>arresto di emergenza</translation>
+    </message>
+    <message>
+        <source>its end from the terminal</source>
+        <translation>chiusura dal terminale</translation>
+    </message>
+    <message>
+        <source>Resume the job of %1: %2, pane %3 of %4, interrupted by %5?</source>
+        <translation>Riprendere il lavoro del %1: %2, lastra %3 di %4 (interruzione: %5)?</translation>
+    </message>
+    <message>
+        <source>Take it up</source>
+        <translation>Riprendi</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Elimina</translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Mantieni</translation>
+    </message>
+    <message>
+        <source>Understood</source>
+        <translation>Ho capito</translation>
+    </message>
+    <message>
+        <source>Discard it for good</source>
+        <translation>Elimina per sempre</translation>
+    </message>
+    <message>
+        <source>The job that was broken off is being read and planned…</source>
+        <translation>Lettura e calcolo del lavoro interrotto in corso…</translation>
+    </message>
+    <message>
+        <source>Discard the job that was broken off? It cannot be resumed then.</source>
+        <translation>Eliminare il lavoro interrotto? Non potrà più essere ripreso.</translation>
+    </message>
+    <message>
+        <source>The job that was broken off cannot be resumed.</source>
+        <translation>Il lavoro interrotto non può essere ripreso.</translation>
+    </message>
+    <message>
+        <source>The job that was broken off is not resumed; what is known of it is kept as %1.</source>
+        <translation>Il lavoro interrotto non viene ripreso; i dati noti sono conservati come %1.</translation>
+    </message>
+</context>
+<context>
     <name>arris::ui::RunPage</name>
     <message>
         <source>CYCLE START</source>
@@ -2070,18 +3307,6 @@ mola non arriva</translation>
     <message>
         <source>Progress</source>
         <translation>Progresso</translation>
-    </message>
-    <message>
-        <source>Table, mm</source>
-        <translation>Tavola, mm</translation>
-    </message>
-    <message>
-        <source>Machine, mm</source>
-        <translation>Macchina, mm</translation>
-    </message>
-    <message>
-        <source>Speed, mm/s</source>
-        <translation>Velocità, mm/s</translation>
     </message>
     <message>
         <source>Feed override</source>
@@ -2094,22 +3319,6 @@ mola non arriva</translation>
     <message>
         <source>Higher feed override</source>
         <translation>Aumenta override avanzamento</translation>
-    </message>
-    <message>
-        <source>Fewer panes</source>
-        <translation>Meno lastre</translation>
-    </message>
-    <message>
-        <source>More panes</source>
-        <translation>Più lastre</translation>
-    </message>
-    <message>
-        <source>Load job</source>
-        <translation>Carica lavoro</translation>
-    </message>
-    <message>
-        <source>Panes</source>
-        <translation>Lastre</translation>
     </message>
     <message>
         <source>◀ Step back</source>
@@ -2128,10 +3337,6 @@ mola non arriva</translation>
         <translation>Tenere premuto finché l&apos;anello è pieno.</translation>
     </message>
     <message>
-        <source>Changed since it was loaded: load the job again for the next pane.</source>
-        <translation>Modificato dopo il caricamento: ricaricare per la prossima lastra.</translation>
-    </message>
-    <message>
         <source>CYCLE START
 where it was broken off</source>
         <translation>AVVIO CICLO
@@ -2142,36 +3347,169 @@ dal punto interrotto</translation>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Spindle: %1
-Coolant: %2
-Vacuum: %3</source>
-        <translation>Mandrino: %1
-Refrigerante: %2
-Vuoto: %3</translation>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
     <message>
-        <source>off</source>
-        <translation>spento</translation>
+        <source>Table</source>
+        <translation>Tavola</translation>
     </message>
     <message>
-        <source>at speed</source>
-        <translation>a regime</translation>
+        <source>Machine</source>
+        <translation>Macchina</translation>
     </message>
     <message>
-        <source>comes up to speed</source>
-        <translation>in accelerazione</translation>
+        <source>To go</source>
+        <translation>Residuo</translation>
     </message>
     <message>
-        <source>flows</source>
-        <translation>scorre</translation>
+        <source>Speed</source>
+        <translation>Velocità</translation>
     </message>
     <message>
-        <source>holds the glass</source>
-        <translation>tiene il vetro</translation>
+        <source>To go: to the end of the line or arc that the wheel is on.</source>
+        <translation>Residuo: fino alla fine della linea o dell&apos;arco su cui si trova la mola.</translation>
     </message>
     <message>
-        <source>Time left: %1</source>
-        <translation>Tempo residuo: %1</translation>
+        <source>%1 of %2 mm/min</source>
+        <translation>%1 di %2 mm/min</translation>
+    </message>
+    <message>
+        <source>%1 mm/min</source>
+        <translation>%1 mm/min</translation>
+    </message>
+    <message>
+        <source>To grind: %1 mm
+Time left: %2</source>
+        <translation>Da molare: %1 mm
+Tempo residuo: %2</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::SettingsPage</name>
+    <message>
+        <source>Open</source>
+        <translation>Apri</translation>
+    </message>
+    <message>
+        <source>Set this code</source>
+        <translation>Imposta codice</translation>
+    </message>
+    <message>
+        <source>Take the code away</source>
+        <translation>Rimuovi codice</translation>
+    </message>
+    <message>
+        <source>Lock now</source>
+        <translation>Blocca ora</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Finestra</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Macchina</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Codice</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Lingua</translation>
+    </message>
+    <message>
+        <source>That of the system</source>
+        <translation>Quella del sistema</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Scala</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Lunghezze</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>pollici</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Aspetto</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Chiaro</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Scuro</translation>
+    </message>
+    <message>
+        <source>Keypad on the screen</source>
+        <translation>Tastierino sullo schermo</translation>
+    </message>
+    <message>
+        <source>At a touch</source>
+        <translation>Al tocco</translation>
+    </message>
+    <message>
+        <source>At a click too</source>
+        <translation>Anche al clic</translation>
+    </message>
+    <message>
+        <source>Scale, from the next start</source>
+        <translation>Scala, dal prossimo avvio</translation>
+    </message>
+    <message>
+        <source>What is changed here counts from the next start of Arris.</source>
+        <translation>Le modifiche fatte qui valgono dal prossimo avvio di Arris.</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Assi</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>Simulati</translation>
+    </message>
+    <message>
+        <source>LinuxCNC</source>
+        <translation>LinuxCNC</translation>
+    </message>
+    <message>
+        <source>A code protects the machine&apos;s values and, in the recipe, accelerations, corner speed and acceleration rule. The operator&apos;s values stay open.</source>
+        <translation>Un codice protegge i valori della macchina e, nella ricetta, accelerazioni, velocità di spigolo e regola di accelerazione. I valori dell&apos;operatore restano aperti.</translation>
+    </message>
+    <message>
+        <source>This is not the code.</source>
+        <translation>Questo non è il codice.</translation>
+    </message>
+    <message>
+        <source>A code has %1 to %2 digits.</source>
+        <translation>Un codice ha da %1 a %2 cifre.</translation>
+    </message>
+    <message>
+        <source>No code is set: all values are open.</source>
+        <translation>Nessun codice impostato: tutti i valori sono aperti.</translation>
+    </message>
+    <message>
+        <source>All values are open until they are locked or Arris starts again.</source>
+        <translation>Tutti i valori sono aperti finché non vengono bloccati o Arris viene riavviato.</translation>
+    </message>
+    <message>
+        <source>Locked: enter the code to change the machine.</source>
+        <translation>Bloccato: inserire il codice per modificare la macchina.</translation>
     </message>
 </context>
 <context>
@@ -2203,10 +3541,6 @@ Vuoto: %3</translation>
     <message>
         <source>Go to the park position</source>
         <translation>Vai al parcheggio</translation>
-    </message>
-    <message>
-        <source>Jog: moves as long as a button is pressed</source>
-        <translation>Jog: moto finché si tiene premuto un tasto</translation>
     </message>
     <message>
         <source>Fast</source>
@@ -2247,6 +3581,54 @@ Vuoto: %3</translation>
     <message>
         <source>The places are not known yet.</source>
         <translation>Le posizioni non sono ancora note.</translation>
+    </message>
+    <message>
+        <source>Drives and jog</source>
+        <translation>Azionamenti e jog</translation>
+    </message>
+    <message>
+        <source>Origin and by hand</source>
+        <translation>Origine e manuale</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulazione</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Jog</translation>
+    </message>
+    <message>
+        <source>Continuous</source>
+        <translation>Continuo</translation>
+    </message>
+    <message>
+        <source>Jog as long as a button is pressed</source>
+        <translation>Jog finché un pulsante è premuto</translation>
+    </message>
+    <message>
+        <source>Jog by %1 mm</source>
+        <translation>Jog di %1 mm</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Jog enable on the panel held</source>
+        <translation>Consenso jog premuto sul pannello</translation>
+    </message>
+    <message>
+        <source>Press the jog enable on the panel and keep it pressed: without it no axis is jogged.</source>
+        <translation>Premere il consenso jog sul pannello e tenerlo premuto: senza di esso nessun asse si muove in jog.</translation>
+    </message>
+    <message>
+        <source>An axis moves as long as its button is pressed.</source>
+        <translation>Un asse si muove finché il suo pulsante è premuto.</translation>
+    </message>
+    <message>
+        <source>Each press moves an axis by %1 mm.</source>
+        <translation>Ogni pressione muove un asse di %1 mm.</translation>
     </message>
 </context>
 <context>

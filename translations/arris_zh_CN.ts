@@ -298,6 +298,257 @@
         <source>an axis</source>
         <translation>某</translation>
     </message>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished">%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm/s²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 periods</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>JobSheet</name>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X %1, Y %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>chosen by the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Job sheet: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X reversed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Y reversed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>foot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accelerations bind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each axis on its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X and Y together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction round outlines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>counter-clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit of the drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as its file says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the wheel cannot reach may stay unground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start nearest to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower left of the pane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Travel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest acceleration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Park position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feed when going down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Period of the axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back-off from the glass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm after %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Following error allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation type="unfinished">转角</translation>
+    </message>
+    <message>
+        <source>Contour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle β</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Treatment</source>
+        <translation type="unfinished">处理方式</translation>
+    </message>
+    <message>
+        <source>Speed v, mm/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time t, s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Relief margin, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation type="unfinished">转角</translation>
+    </message>
+    <message>
+        <source>None.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation type="unfinished">时间</translation>
+    </message>
+    <message>
+        <source>The pattern cannot be ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation type="unfinished">阶段</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation type="unfinished">占比</translation>
+    </message>
+    <message>
+        <source>Grinding, lead-in to lead-out</source>
+        <translation type="unfinished">磨削（从切入到切出）</translation>
+    </message>
+    <message>
+        <source>Whole program</source>
+        <translation type="unfinished">整个程序</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation type="unfinished">问题</translation>
+    </message>
+    <message>
+        <source>Repairs of the drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, continued</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>JobState</name>
@@ -395,6 +646,73 @@
     <message>
         <source>Note, repair</source>
         <translation>提示、修复</translation>
+    </message>
+</context>
+<context>
+    <name>Machine</name>
+    <message>
+        <source>Feed of plunges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Servo period</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Homing: speed towards the switch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Homing: speed off the switch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fastest jog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set-points ahead of time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest following error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Backing off in a hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At rest before backing off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longest wait for spindle and coolant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Travel of the axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest speeds of the axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest accelerations of the axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Park position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference switches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog only while the panel&apos;s jog enable is held</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -845,6 +1163,30 @@
         <source>{file} is not whole: {reason} at byte {byte}. What can be read is used.</source>
         <translation>{file} 不完整：{reason}（自第 {byte} 字节起）。可读取的部分将被使用。</translation>
     </message>
+    <message>
+        <source>{file} is damaged: it was kept as {aside}, and defaults are in effect.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{file} is damaged and was kept as {kept}; hours and metres are counted from zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{file} is not a back-up that can be restored: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The job that was broken off is of another pattern or an earlier state of it: {file} had the fingerprint {was}, now it has {is}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The job that was broken off was planned for another machine: {key} was {was}, now it is {is}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The place where the job was broken off (segment {segment}, {lambda_mm} mm) is not on the job as it is planned now.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ProblemWord</name>
@@ -1276,6 +1618,42 @@
         <source>{} is no phase</source>
         <translation>{} 不是任何阶段</translation>
     </message>
+    <message>
+        <source>it is no archive of Arris</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is damaged or cut off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is larger than a back-up can be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it does not say what it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is a support bundle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} is no plain file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} stands there twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} is no part of a back-up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{} is not valid</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ProfilePage</name>
@@ -1302,6 +1680,22 @@
     <message>
         <source>Between contours</source>
         <translation>轮廓之间</translation>
+    </message>
+    <message>
+        <source>End of the travel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Way of the wheel&apos;s centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In a corner, from A to C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1399,6 +1793,37 @@
     </message>
 </context>
 <context>
+    <name>Services</name>
+    <message>
+        <source>Spindle: %1
+Coolant: %2
+Vacuum: %3</source>
+        <translation type="unfinished">主轴：%1
+冷却液：%2
+真空：%3</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished">关闭</translation>
+    </message>
+    <message>
+        <source>at speed</source>
+        <translation type="unfinished">已达转速</translation>
+    </message>
+    <message>
+        <source>comes up to speed</source>
+        <translation type="unfinished">升速中</translation>
+    </message>
+    <message>
+        <source>flows</source>
+        <translation type="unfinished">流动正常</translation>
+    </message>
+    <message>
+        <source>holds the glass</source>
+        <translation type="unfinished">已吸住玻璃</translation>
+    </message>
+</context>
+<context>
     <name>SimulatedFault</name>
     <message>
         <source>Coolant fails</source>
@@ -1491,12 +1916,269 @@
         <translation>确认</translation>
     </message>
     <message>
-        <source>%1 of %2 panes done</source>
-        <translation>已完成 %1 / %2 片</translation>
-    </message>
-    <message>
         <source>No job is loaded</source>
         <translation>未加载任务</translation>
+    </message>
+    <message>
+        <source>%1 of %2 panes good</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::AlarmHistory</name>
+    <message>
+        <source>Reading the alarm log…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alarms: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Damaged lines of the alarm log, which cannot be read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::AlarmModel</name>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished">时间</translation>
+    </message>
+    <message>
+        <source>Code, axis, value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::AlarmPanel</name>
+    <message>
+        <source>Acknowledge</source>
+        <translation type="unfinished">确认</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation type="unfinished">全部</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tap an alarm to read its cause and what to do.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No alarm is active.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There has been no alarm yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::AlarmsPage</name>
+    <message>
+        <source>Alarms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counters and back-up</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::BackUpPanel</name>
+    <message>
+        <source>In the machine&apos;s life</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading or writing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings, machine, recipes and counters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back up…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saves all of them in one file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restore…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brings them back from such a file: while nothing moves and no job is loaded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Support bundle…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saves them with the alarm log, the last runs and versions, for whoever helps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading or writing…</source>
+        <translation type="unfinished">正在读取或写入…</translation>
+    </message>
+    <message>
+        <source>Archives (*.tar.gz);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Support bundle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restore a back-up</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::BackUps</name>
+    <message>
+        <source>Saved: %1. It has what help needs; nothing is sent to anybody.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to back up yet: no settings, machine, recipes or counters have been kept so far.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved: %1. Files in it: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restore the back-up of %1? Its files (%2) replace settings, machine, recipes and counters of the same names. What is there now is kept as a back-up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was changed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was there before is in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restored. Close Arris and start it again: then it takes effect.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::ByHandPanel</name>
+    <message>
+        <source>Origin of the table (G54)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero of the table in X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero of the table in Y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zero of the table in Z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The table&apos;s zero of %1 is where the wheel is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the typed origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Support of the glass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle and coolant by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle speed by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coolant on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coolant off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A pane was broken off: its origin stays until it has been ground or given up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the zero of the table lies in machine coordinates. Whether the job still fits into the travel is checked at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The origin can be set when the axes are homed and at rest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No job is loaded: its recipe says how high the glass lies.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the job that is loaded: the underside of the glass lies %1 mm above the table, the glass is %2 mm thick, and the middle of the wheel grinds at Z %3 mm.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1510,6 +2192,15 @@ HOLD</source>
     <message>
         <source>STOP</source>
         <translation>停止</translation>
+    </message>
+    <message>
+        <source>Lock
+30 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lock the screen for 30 s to wipe it</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1602,6 +2293,10 @@ HOLD</source>
         <source>%1 mm of its edges</source>
         <translation>边上 %1 mm</translation>
     </message>
+    <message>
+        <source>Distance between wheel and corner over time</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::CornerModel</name>
@@ -1651,6 +2346,252 @@ mm</translation>
     </message>
 </context>
 <context>
+    <name>arris::ui::Diagnosis</name>
+    <message>
+        <source>Drive ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished">关闭</translation>
+    </message>
+    <message>
+        <source>pressed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit switch, low end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit switch, high end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference switch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drive enable (output)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drive fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Encoder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Following error, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At worst since the start, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation type="unfinished">急停</translation>
+    </message>
+    <message>
+        <source>tripped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at speed</source>
+        <translation type="unfinished">已达转速</translation>
+    </message>
+    <message>
+        <source>not at speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>flows</source>
+        <translation type="unfinished">流动正常</translation>
+    </message>
+    <message>
+        <source>does not flow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vacuum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Button cycle start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Button feed hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Button stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Button jog enable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Override selector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation type="unfinished">%1 %</translation>
+    </message>
+    <message>
+        <source>%1 r/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heartbeat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stands still</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least lead, periods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Late wake-ups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Latest wake-up, ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Buffered pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lost reports</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused commands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drives on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spindle on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grinding</source>
+        <translation type="unfinished">磨削</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Panes ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counted since</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::DiagnosisPanel</name>
+    <message>
+        <source>Axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>arris::ui::DrawingView</name>
     <message>
         <source>Drawing</source>
@@ -1682,6 +2623,19 @@ mm</translation>
     <message>
         <source>Problems (%1)</source>
         <translation>问题（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::HelpPage</name>
+    <message>
+        <source>Manual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>en</source>
+        <comment>language of the manual</comment>
+        <extracomment>The language that the manual is read in: that of this translation, &quot;de&quot; or &quot;zh_CN&quot;.</extracomment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1783,6 +2737,18 @@ Whole program: %2</source>
         <source>Keep running</source>
         <translation>继续运行</translation>
     </message>
+    <message>
+        <source>Alarms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::NumberEdit</name>
@@ -1809,6 +2775,108 @@ Whole program: %2</source>
     <message>
         <source>%1 is out of range; it must be %2.</source>
         <translation>%1超出范围；应为 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::OrderPanel</name>
+    <message>
+        <source>Good</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pane is good</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pane is a reject</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fewer panes</source>
+        <translation type="unfinished">减少片数</translation>
+    </message>
+    <message>
+        <source>More panes</source>
+        <translation type="unfinished">增加片数</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grind the next pane smaller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave the next pane larger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size correction, next pane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More leaves the pane larger.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pane %1 of %2: %3 good, %4 rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load for the next pane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load job</source>
+        <translation type="unfinished">加载任务</translation>
+    </message>
+    <message>
+        <source>Pane %1 was broken off: cycle start goes on with it. “Reject”, or loading a job, gives it up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pane is interrupted: resume it, or stop it, before a job is loaded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is planned on the page Job cannot be ground: nothing can be loaded before that is mended.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values have changed; this pane stays as it was loaded. After it load the job for the next pane.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pane %1 has ended: good or reject? Changed since it was loaded: load the job again for the next pane.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changed since it was loaded: load the job again for the next pane.</source>
+        <translation type="unfinished">加载后已更改：加工下一片前请重新加载任务。</translation>
+    </message>
+    <message>
+        <source>Pane %1 has ended: good or reject? It counts as good when the next one begins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The order is complete.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::PathPlot</name>
+    <message>
+        <source>X, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Y, mm</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1908,6 +2976,30 @@ mm</translation>
         <source>feed %1</source>
         <translation>进给 %1</translation>
     </message>
+    <message>
+        <source>X position
+mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X
+mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Y position
+mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Y
+mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>travel %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::ProfilesPage</name>
@@ -1972,10 +3064,6 @@ mm</translation>
         <translation>全部</translation>
     </message>
     <message>
-        <source>From the start of the program to its end</source>
-        <translation>从程序开始到结束</translation>
-    </message>
-    <message>
         <source>Reading</source>
         <translation>正在读取</translation>
     </message>
@@ -2027,6 +3115,66 @@ mm</translation>
         <source>Save picture</source>
         <translation>保存图片</translation>
     </message>
+    <message>
+        <source>Profile…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the profile as a table (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Job sheet…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save drawing, values, corners and times of the job as PDF</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speeds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Velocities, accelerations and distance to the corner over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>X and Y over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way of the wheel in the plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the start of the program to its end; of the path: all of the travel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, corner %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the profile of the run %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the planned profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save job sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::RecipePanel</name>
@@ -2062,6 +3210,89 @@ the wheel cannot reach</source>
     </message>
 </context>
 <context>
+    <name>arris::ui::ReliefPlot</name>
+    <message>
+        <source>time from A, s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distance L, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relief
+%1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::ResumeBar</name>
+    <message>
+        <source>a power failure, or Arris ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arris ended in a hold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the emergency stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its end from the terminal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resume the job of %1: %2, pane %3 of %4, interrupted by %5?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take it up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Understood</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard it for good</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The job that was broken off is being read and planned…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard the job that was broken off? It cannot be resumed then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The job that was broken off cannot be resumed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The job that was broken off is not resumed; what is known of it is kept as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>arris::ui::RunPage</name>
     <message>
         <source>CYCLE START</source>
@@ -2070,18 +3301,6 @@ the wheel cannot reach</source>
     <message>
         <source>Progress</source>
         <translation>进度</translation>
-    </message>
-    <message>
-        <source>Table, mm</source>
-        <translation>工作台坐标，mm</translation>
-    </message>
-    <message>
-        <source>Machine, mm</source>
-        <translation>机床坐标，mm</translation>
-    </message>
-    <message>
-        <source>Speed, mm/s</source>
-        <translation>速度，mm/s</translation>
     </message>
     <message>
         <source>Feed override</source>
@@ -2094,22 +3313,6 @@ the wheel cannot reach</source>
     <message>
         <source>Higher feed override</source>
         <translation>提高进给倍率</translation>
-    </message>
-    <message>
-        <source>Fewer panes</source>
-        <translation>减少片数</translation>
-    </message>
-    <message>
-        <source>More panes</source>
-        <translation>增加片数</translation>
-    </message>
-    <message>
-        <source>Load job</source>
-        <translation>加载任务</translation>
-    </message>
-    <message>
-        <source>Panes</source>
-        <translation>片数</translation>
     </message>
     <message>
         <source>◀ Step back</source>
@@ -2128,10 +3331,6 @@ the wheel cannot reach</source>
         <translation>按住直至圆环填满。</translation>
     </message>
     <message>
-        <source>Changed since it was loaded: load the job again for the next pane.</source>
-        <translation>加载后已更改：加工下一片前请重新加载任务。</translation>
-    </message>
-    <message>
         <source>CYCLE START
 where it was broken off</source>
         <translation>循环启动
@@ -2142,36 +3341,168 @@ where it was broken off</source>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Spindle: %1
-Coolant: %2
-Vacuum: %3</source>
-        <translation>主轴：%1
-冷却液：%2
-真空：%3</translation>
+        <source>mm</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>off</source>
-        <translation>关闭</translation>
+        <source>Table</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>at speed</source>
-        <translation>已达转速</translation>
+        <source>Machine</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>comes up to speed</source>
-        <translation>升速中</translation>
+        <source>To go</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>flows</source>
-        <translation>流动正常</translation>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>holds the glass</source>
-        <translation>已吸住玻璃</translation>
+        <source>To go: to the end of the line or arc that the wheel is on.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time left: %1</source>
-        <translation>剩余时间：%1</translation>
+        <source>%1 of %2 mm/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm/min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To grind: %1 mm
+Time left: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::SettingsPage</name>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set this code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the code away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lock now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That of the system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation type="unfinished">%1 %</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keypad on the screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At a touch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At a click too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale, from the next start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is changed here counts from the next start of Arris.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LinuxCNC</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A code protects the machine&apos;s values and, in the recipe, accelerations, corner speed and acceleration rule. The operator&apos;s values stay open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is not the code.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A code has %1 to %2 digits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No code is set: all values are open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All values are open until they are locked or Arris starts again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locked: enter the code to change the machine.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2203,10 +3534,6 @@ Vacuum: %3</source>
     <message>
         <source>Go to the park position</source>
         <translation>移至停放位置</translation>
-    </message>
-    <message>
-        <source>Jog: moves as long as a button is pressed</source>
-        <translation>点动：按住按钮时移动</translation>
     </message>
     <message>
         <source>Fast</source>
@@ -2247,6 +3574,54 @@ Vacuum: %3</source>
     <message>
         <source>The places are not known yet.</source>
         <translation>位置尚未确定。</translation>
+    </message>
+    <message>
+        <source>Drives and jog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Origin and by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Continuous</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog as long as a button is pressed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog by %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jog enable on the panel held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press the jog enable on the panel and keep it pressed: without it no axis is jogged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An axis moves as long as its button is pressed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each press moves an axis by %1 mm.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
