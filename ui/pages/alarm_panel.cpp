@@ -83,9 +83,9 @@ QWidget* AlarmPanel::makeButtons() {
       new Segments({{QStringLiteral("alarmsAll"), tr("All")}, {QStringLiteral("alarmsActive"), tr("Active")}},
                    m_history.showsActiveOnly() ? 1 : 0);
   connect(filter, &Segments::picked, this, [this](int which) { m_history.showActiveOnly(which == 1); });
-  layout->addWidget(filter);
+  layout->addWidget(filter, 1);
   layout->addWidget(m_summarySign);
-  layout->addWidget(m_summary, 1);
+  layout->addWidget(m_summary, 3);
   layout->addWidget(m_acknowledge);
   return row;
 }

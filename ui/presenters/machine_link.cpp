@@ -251,7 +251,7 @@ bool MachineLink::goesOnWithAPane() const {
 
 bool MachineLink::isRevision(const Plan& plan) const {
   return m_loaded && (plan.import->hash != m_loaded->import->hash || plan.import->file != m_loaded->import->file ||
-                      plan.job.recipe != m_loaded->job.recipe || plan.job.machine != m_loaded->job.machine);
+                      plan.job.recipe != m_loaded->job.recipe);
 }
 
 double MachineLink::progress() const {

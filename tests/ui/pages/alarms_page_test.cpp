@@ -190,7 +190,7 @@ TEST_F(AlarmsWindow, StaysWhereItIsWhenTheWindowIsMadeAnew) {
   settings.appearance = files::Settings::Appearance::Dark;
   m_window->preferences().change(settings);
   QTest::qWait(1);
-  EXPECT_TRUE(find("showBackUp")->isVisible());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return find("showBackUp")->isVisible(); }, test::kPatience));
   EXPECT_TRUE(find("showBackUp")->isChecked());
   tap("showSignals");
   trip();
