@@ -300,254 +300,254 @@
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished">%1 mm</translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1 mm/s²</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm/s²</translation>
     </message>
     <message>
         <source>%1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms</translation>
     </message>
     <message>
         <source>%1 periods</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个周期</translation>
     </message>
 </context>
 <context>
     <name>JobSheet</name>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>是</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>否</translation>
     </message>
     <message>
         <source>X %1, Y %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>X %1，Y %2 mm</translation>
     </message>
     <message>
         <source>chosen by the program</source>
-        <translation type="unfinished"></translation>
+        <translation>由程序选择</translation>
     </message>
     <message>
         <source>Job sheet: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>任务单：%1</translation>
     </message>
     <message>
         <source>X reversed</source>
-        <translation type="unfinished"></translation>
+        <translation>X 反向</translation>
     </message>
     <message>
         <source>Y reversed</source>
-        <translation type="unfinished"></translation>
+        <translation>Y 反向</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>cm</source>
-        <translation type="unfinished"></translation>
+        <translation>cm</translation>
     </message>
     <message>
         <source>m</source>
-        <translation type="unfinished"></translation>
+        <translation>m</translation>
     </message>
     <message>
         <source>inch</source>
-        <translation type="unfinished"></translation>
+        <translation>英寸</translation>
     </message>
     <message>
         <source>foot</source>
-        <translation type="unfinished"></translation>
+        <translation>英尺</translation>
     </message>
     <message>
         <source>Accelerations bind</source>
-        <translation type="unfinished"></translation>
+        <translation>加速度限制方式</translation>
     </message>
     <message>
         <source>each axis on its own</source>
-        <translation type="unfinished"></translation>
+        <translation>各轴单独</translation>
     </message>
     <message>
         <source>X and Y together</source>
-        <translation type="unfinished"></translation>
+        <translation>X、Y 合成</translation>
     </message>
     <message>
         <source>Direction round outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>外轮廓磨削方向</translation>
     </message>
     <message>
         <source>clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>顺时针</translation>
     </message>
     <message>
         <source>counter-clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>逆时针</translation>
     </message>
     <message>
         <source>Mirrored</source>
-        <translation type="unfinished"></translation>
+        <translation>镜像</translation>
     </message>
     <message>
         <source>Unit of the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>图纸单位</translation>
     </message>
     <message>
         <source>as its file says</source>
-        <translation type="unfinished"></translation>
+        <translation>按文件注明</translation>
     </message>
     <message>
         <source>Layers</source>
-        <translation type="unfinished"></translation>
+        <translation>图层</translation>
     </message>
     <message>
         <source>all</source>
-        <translation type="unfinished"></translation>
+        <translation>全部</translation>
     </message>
     <message>
         <source>What the wheel cannot reach may stay unground</source>
-        <translation type="unfinished"></translation>
+        <translation>磨轮磨不到的部分允许不磨</translation>
     </message>
     <message>
         <source>Start nearest to</source>
-        <translation type="unfinished"></translation>
+        <translation>起点最靠近</translation>
     </message>
     <message>
         <source>Lower left of the pane</source>
-        <translation type="unfinished"></translation>
+        <translation>玻璃左下角</translation>
     </message>
     <message>
         <source>Travel</source>
-        <translation type="unfinished"></translation>
+        <translation>行程</translation>
     </message>
     <message>
         <source>Greatest speed</source>
-        <translation type="unfinished"></translation>
+        <translation>最大速度</translation>
     </message>
     <message>
         <source>Greatest acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>最大加速度</translation>
     </message>
     <message>
         <source>Park position</source>
-        <translation type="unfinished"></translation>
+        <translation>停放位置</translation>
     </message>
     <message>
         <source>Feed when going down</source>
-        <translation type="unfinished"></translation>
+        <translation>下降进给速度</translation>
     </message>
     <message>
         <source>Period of the axes</source>
-        <translation type="unfinished"></translation>
+        <translation>各轴周期</translation>
     </message>
     <message>
         <source>Back-off from the glass</source>
-        <translation type="unfinished"></translation>
+        <translation>退离玻璃</translation>
     </message>
     <message>
         <source>%1 mm after %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 s 后 %1 mm</translation>
     </message>
     <message>
         <source>Following error allowed</source>
-        <translation type="unfinished"></translation>
+        <translation>允许的跟随误差</translation>
     </message>
     <message>
         <source>Corner</source>
-        <translation type="unfinished">转角</translation>
+        <translation>转角</translation>
     </message>
     <message>
         <source>Contour</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓</translation>
     </message>
     <message>
         <source>Angle β</source>
-        <translation type="unfinished"></translation>
+        <translation>角度 β</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>类型</translation>
     </message>
     <message>
         <source>Treatment</source>
-        <translation type="unfinished">处理方式</translation>
+        <translation>处理方式</translation>
     </message>
     <message>
         <source>Speed v, mm/s</source>
-        <translation type="unfinished"></translation>
+        <translation>速度 v，mm/s</translation>
     </message>
     <message>
         <source>Time t, s</source>
-        <translation type="unfinished"></translation>
+        <translation>时间 t，s</translation>
     </message>
     <message>
         <source>Relief margin, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>脱离余量，mm</translation>
     </message>
     <message>
         <source>Corners</source>
-        <translation type="unfinished">转角</translation>
+        <translation>转角</translation>
     </message>
     <message>
         <source>None.</source>
-        <translation type="unfinished"></translation>
+        <translation>无。</translation>
     </message>
     <message>
         <source>Times</source>
-        <translation type="unfinished">时间</translation>
+        <translation>时间</translation>
     </message>
     <message>
         <source>The pattern cannot be ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>图样无法磨削。</translation>
     </message>
     <message>
         <source>Phase</source>
-        <translation type="unfinished">阶段</translation>
+        <translation>阶段</translation>
     </message>
     <message>
         <source>Duration</source>
-        <translation type="unfinished"></translation>
+        <translation>时长</translation>
     </message>
     <message>
         <source>Share</source>
-        <translation type="unfinished">占比</translation>
+        <translation>占比</translation>
     </message>
     <message>
         <source>Grinding, lead-in to lead-out</source>
-        <translation type="unfinished">磨削（从切入到切出）</translation>
+        <translation>磨削（从切入到切出）</translation>
     </message>
     <message>
         <source>Whole program</source>
-        <translation type="unfinished">整个程序</translation>
+        <translation>整个程序</translation>
     </message>
     <message>
         <source>Page %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 页，共 %2 页</translation>
     </message>
     <message>
         <source>Recipe</source>
-        <translation type="unfinished"></translation>
+        <translation>配方</translation>
     </message>
     <message>
         <source>Machine</source>
-        <translation type="unfinished"></translation>
+        <translation>机床</translation>
     </message>
     <message>
         <source>Problems</source>
-        <translation type="unfinished">问题</translation>
+        <translation>问题</translation>
     </message>
     <message>
         <source>Repairs of the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>图纸的修复</translation>
     </message>
     <message>
         <source>%1, continued</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（续）</translation>
     </message>
 </context>
 <context>
@@ -652,67 +652,67 @@
     <name>Machine</name>
     <message>
         <source>Feed of plunges</source>
-        <translation type="unfinished"></translation>
+        <translation>下降进给速度</translation>
     </message>
     <message>
         <source>Servo period</source>
-        <translation type="unfinished"></translation>
+        <translation>伺服周期</translation>
     </message>
     <message>
         <source>Homing: speed towards the switch</source>
-        <translation type="unfinished"></translation>
+        <translation>回零：趋近开关的速度</translation>
     </message>
     <message>
         <source>Homing: speed off the switch</source>
-        <translation type="unfinished"></translation>
+        <translation>回零：离开开关的速度</translation>
     </message>
     <message>
         <source>Fastest jog</source>
-        <translation type="unfinished"></translation>
+        <translation>最大点动速度</translation>
     </message>
     <message>
         <source>Set-points ahead of time</source>
-        <translation type="unfinished"></translation>
+        <translation>设定值提前时间</translation>
     </message>
     <message>
         <source>Greatest following error</source>
-        <translation type="unfinished"></translation>
+        <translation>最大跟随误差</translation>
     </message>
     <message>
         <source>Backing off in a hold</source>
-        <translation type="unfinished"></translation>
+        <translation>保持时的退离量</translation>
     </message>
     <message>
         <source>At rest before backing off</source>
-        <translation type="unfinished"></translation>
+        <translation>退离前的静止时间</translation>
     </message>
     <message>
         <source>Longest wait for spindle and coolant</source>
-        <translation type="unfinished"></translation>
+        <translation>等待主轴和冷却液的最长时间</translation>
     </message>
     <message>
         <source>Travel of the axes</source>
-        <translation type="unfinished"></translation>
+        <translation>各轴行程</translation>
     </message>
     <message>
         <source>Greatest speeds of the axes</source>
-        <translation type="unfinished"></translation>
+        <translation>各轴最大速度</translation>
     </message>
     <message>
         <source>Greatest accelerations of the axes</source>
-        <translation type="unfinished"></translation>
+        <translation>各轴最大加速度</translation>
     </message>
     <message>
         <source>Park position</source>
-        <translation type="unfinished"></translation>
+        <translation>停放位置</translation>
     </message>
     <message>
         <source>Reference switches</source>
-        <translation type="unfinished"></translation>
+        <translation>参考点开关</translation>
     </message>
     <message>
         <source>Jog only while the panel&apos;s jog enable is held</source>
-        <translation type="unfinished"></translation>
+        <translation>仅在按住面板上的点动使能时才可点动</translation>
     </message>
 </context>
 <context>
@@ -1165,27 +1165,27 @@
     </message>
     <message>
         <source>{file} is damaged: it was kept as {aside}, and defaults are in effect.</source>
-        <translation type="unfinished"></translation>
+        <translation>{file} 已损坏：已另存为 {aside}，现使用默认值。</translation>
     </message>
     <message>
         <source>{file} is damaged and was kept as {kept}; hours and metres are counted from zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>{file} 已损坏，已另存为 {kept}；小时数和米数从零开始计。</translation>
     </message>
     <message>
         <source>{file} is not a back-up that can be restored: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{file} 不是可恢复的备份：{reason}。</translation>
     </message>
     <message>
         <source>The job that was broken off is of another pattern or an earlier state of it: {file} had the fingerprint {was}, now it has {is}.</source>
-        <translation type="unfinished"></translation>
+        <translation>中断的任务属于另一图样或该图样的较早版本：{file} 当时的指纹为 {was}，现在为 {is}。</translation>
     </message>
     <message>
         <source>The job that was broken off was planned for another machine: {key} was {was}, now it is {is}.</source>
-        <translation type="unfinished"></translation>
+        <translation>中断的任务是为另一台机床规划的：{key} 当时为 {was}，现在为 {is}。</translation>
     </message>
     <message>
         <source>The place where the job was broken off (segment {segment}, {lambda_mm} mm) is not on the job as it is planned now.</source>
-        <translation type="unfinished"></translation>
+        <translation>任务的中断位置（第 {segment} 段，{lambda_mm} mm）不在当前规划的任务上。</translation>
     </message>
 </context>
 <context>
@@ -1620,39 +1620,39 @@
     </message>
     <message>
         <source>it is no archive of Arris</source>
-        <translation type="unfinished"></translation>
+        <translation>不是 Arris 的归档文件</translation>
     </message>
     <message>
         <source>it is damaged or cut off</source>
-        <translation type="unfinished"></translation>
+        <translation>文件已损坏或不完整</translation>
     </message>
     <message>
         <source>it is larger than a back-up can be</source>
-        <translation type="unfinished"></translation>
+        <translation>文件大于备份可能的大小</translation>
     </message>
     <message>
         <source>it does not say what it is</source>
-        <translation type="unfinished"></translation>
+        <translation>文件未注明其类型</translation>
     </message>
     <message>
         <source>it is a support bundle</source>
-        <translation type="unfinished"></translation>
+        <translation>这是支持包</translation>
     </message>
     <message>
         <source>{} is no plain file</source>
-        <translation type="unfinished"></translation>
+        <translation>{} 不是普通文件</translation>
     </message>
     <message>
         <source>{} stands there twice</source>
-        <translation type="unfinished"></translation>
+        <translation>{} 出现两次</translation>
     </message>
     <message>
         <source>{} is no part of a back-up</source>
-        <translation type="unfinished"></translation>
+        <translation>{} 不属于备份</translation>
     </message>
     <message>
         <source>{} is not valid</source>
-        <translation type="unfinished"></translation>
+        <translation>{} 无效</translation>
     </message>
 </context>
 <context>
@@ -1683,19 +1683,19 @@
     </message>
     <message>
         <source>End of the travel</source>
-        <translation type="unfinished"></translation>
+        <translation>行程终点</translation>
     </message>
     <message>
         <source>Way of the wheel&apos;s centre</source>
-        <translation type="unfinished"></translation>
+        <translation>磨轮中心的行进路线</translation>
     </message>
     <message>
         <source>In a corner, from A to C</source>
-        <translation type="unfinished"></translation>
+        <translation>转角内，从 A 到 C</translation>
     </message>
     <message>
         <source>Glass</source>
-        <translation type="unfinished"></translation>
+        <translation>玻璃</translation>
     </message>
 </context>
 <context>
@@ -1798,29 +1798,29 @@
         <source>Spindle: %1
 Coolant: %2
 Vacuum: %3</source>
-        <translation type="unfinished">主轴：%1
+        <translation>主轴：%1
 冷却液：%2
 真空：%3</translation>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished">关闭</translation>
+        <translation>关闭</translation>
     </message>
     <message>
         <source>at speed</source>
-        <translation type="unfinished">已达转速</translation>
+        <translation>已达转速</translation>
     </message>
     <message>
         <source>comes up to speed</source>
-        <translation type="unfinished">升速中</translation>
+        <translation>升速中</translation>
     </message>
     <message>
         <source>flows</source>
-        <translation type="unfinished">流动正常</translation>
+        <translation>流动正常</translation>
     </message>
     <message>
         <source>holds the glass</source>
-        <translation type="unfinished">已吸住玻璃</translation>
+        <translation>已吸住玻璃</translation>
     </message>
 </context>
 <context>
@@ -1921,264 +1921,264 @@ Vacuum: %3</source>
     </message>
     <message>
         <source>%1 of %2 panes good</source>
-        <translation type="unfinished"></translation>
+        <translation>合格 %1 片，共 %2 片</translation>
     </message>
 </context>
 <context>
     <name>arris::ui::AlarmHistory</name>
     <message>
         <source>Reading the alarm log…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在读取报警日志…</translation>
     </message>
     <message>
         <source>Alarms: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>报警：%1</translation>
     </message>
     <message>
         <source>Damaged lines of the alarm log, which cannot be read: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>报警日志中无法读取的损坏行：%1</translation>
     </message>
 </context>
 <context>
     <name>arris::ui::AlarmModel</name>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>状态</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished">时间</translation>
+        <translation>时间</translation>
     </message>
     <message>
         <source>Code, axis, value</source>
-        <translation type="unfinished"></translation>
+        <translation>代码、轴、数值</translation>
     </message>
     <message>
         <source>What happened</source>
-        <translation type="unfinished"></translation>
+        <translation>发生了什么</translation>
     </message>
 </context>
 <context>
     <name>arris::ui::AlarmPanel</name>
     <message>
         <source>Acknowledge</source>
-        <translation type="unfinished">确认</translation>
+        <translation>确认</translation>
     </message>
     <message>
         <source>All</source>
-        <translation type="unfinished">全部</translation>
+        <translation>全部</translation>
     </message>
     <message>
         <source>Active</source>
-        <translation type="unfinished"></translation>
+        <translation>当前</translation>
     </message>
     <message>
         <source>Tap an alarm to read its cause and what to do.</source>
-        <translation type="unfinished"></translation>
+        <translation>点按一条报警可查看其原因和处理方法。</translation>
     </message>
     <message>
         <source>No alarm is active.</source>
-        <translation type="unfinished"></translation>
+        <translation>当前没有报警。</translation>
     </message>
     <message>
         <source>There has been no alarm yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未发生过报警。</translation>
     </message>
 </context>
 <context>
     <name>arris::ui::AlarmsPage</name>
     <message>
         <source>Alarms</source>
-        <translation type="unfinished"></translation>
+        <translation>报警</translation>
     </message>
     <message>
         <source>Inputs and outputs</source>
-        <translation type="unfinished"></translation>
+        <translation>输入和输出</translation>
     </message>
     <message>
         <source>Counters and back-up</source>
-        <translation type="unfinished"></translation>
+        <translation>计数器和备份</translation>
     </message>
 </context>
 <context>
     <name>arris::ui::BackUpPanel</name>
     <message>
         <source>In the machine&apos;s life</source>
-        <translation type="unfinished"></translation>
+        <translation>机床累计</translation>
     </message>
     <message>
         <source>So far</source>
-        <translation type="unfinished"></translation>
+        <translation>至今</translation>
     </message>
     <message>
         <source>Restore</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复</translation>
     </message>
     <message>
         <source>Keep as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>保持原样</translation>
     </message>
     <message>
         <source>Reading or writing</source>
-        <translation type="unfinished"></translation>
+        <translation>正在读取或写入</translation>
     </message>
     <message>
         <source>Settings, machine, recipes and counters</source>
-        <translation type="unfinished"></translation>
+        <translation>设置、机床、配方和计数器</translation>
     </message>
     <message>
         <source>Back up…</source>
-        <translation type="unfinished"></translation>
+        <translation>备份…</translation>
     </message>
     <message>
         <source>Saves all of them in one file.</source>
-        <translation type="unfinished"></translation>
+        <translation>全部保存到一个文件中。</translation>
     </message>
     <message>
         <source>Restore…</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复…</translation>
     </message>
     <message>
         <source>Brings them back from such a file: while nothing moves and no job is loaded.</source>
-        <translation type="unfinished"></translation>
+        <translation>从此类文件中恢复：须在没有任何运动且未加载任务时进行。</translation>
     </message>
     <message>
         <source>Support bundle…</source>
-        <translation type="unfinished"></translation>
+        <translation>支持包…</translation>
     </message>
     <message>
         <source>Saves them with the alarm log, the last runs and versions, for whoever helps.</source>
-        <translation type="unfinished"></translation>
+        <translation>连同报警日志、最近的运行记录和版本信息一起保存，供技术支持人员使用。</translation>
     </message>
     <message>
         <source>Reading or writing…</source>
-        <translation type="unfinished">正在读取或写入…</translation>
+        <translation>正在读取或写入…</translation>
     </message>
     <message>
         <source>Archives (*.tar.gz);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>归档文件 (*.tar.gz);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Back up</source>
-        <translation type="unfinished"></translation>
+        <translation>备份</translation>
     </message>
     <message>
         <source>Support bundle</source>
-        <translation type="unfinished"></translation>
+        <translation>支持包</translation>
     </message>
     <message>
         <source>Restore a back-up</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复备份</translation>
     </message>
 </context>
 <context>
     <name>arris::ui::BackUps</name>
     <message>
         <source>Saved: %1. It has what help needs; nothing is sent to anybody.</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存：%1。其中包含技术支持所需的内容；不会发送给任何人。</translation>
     </message>
     <message>
         <source>There is nothing to back up yet: no settings, machine, recipes or counters have been kept so far.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无可备份的内容：至今未保存任何设置、机床、配方或计数器。</translation>
     </message>
     <message>
         <source>Saved: %1. Files in it: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存：%1。其中的文件：%2。</translation>
     </message>
     <message>
         <source>Restore the back-up of %1? Its files (%2) replace settings, machine, recipes and counters of the same names. What is there now is kept as a back-up.</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复 %1 的备份？其中的文件（%2）将替换同名的设置、机床、配方和计数器。现有内容将保留为一份备份。</translation>
     </message>
     <message>
         <source>Nothing was changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>未作任何更改。</translation>
     </message>
     <message>
         <source>What was there before is in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>之前的内容保存在 %1 中。</translation>
     </message>
     <message>
         <source>Restored. Close Arris and start it again: then it takes effect.</source>
-        <translation type="unfinished"></translation>
+        <translation>已恢复。请关闭 Arris 并重新启动，之后生效。</translation>
     </message>
 </context>
 <context>
     <name>arris::ui::ByHandPanel</name>
     <message>
         <source>Origin of the table (G54)</source>
-        <translation type="unfinished"></translation>
+        <translation>工作台原点（G54）</translation>
     </message>
     <message>
         <source>Zero of the table in X</source>
-        <translation type="unfinished"></translation>
+        <translation>工作台 X 零点</translation>
     </message>
     <message>
         <source>Zero of the table in Y</source>
-        <translation type="unfinished"></translation>
+        <translation>工作台 Y 零点</translation>
     </message>
     <message>
         <source>Zero of the table in Z</source>
-        <translation type="unfinished"></translation>
+        <translation>工作台 Z 零点</translation>
     </message>
     <message>
         <source>Set here</source>
-        <translation type="unfinished"></translation>
+        <translation>设在此处</translation>
     </message>
     <message>
         <source>The table&apos;s zero of %1 is where the wheel is</source>
-        <translation type="unfinished"></translation>
+        <translation>将磨轮当前位置设为工作台 %1 零点</translation>
     </message>
     <message>
         <source>Set the typed origin</source>
-        <translation type="unfinished"></translation>
+        <translation>设定输入的原点</translation>
     </message>
     <message>
         <source>Support of the glass</source>
-        <translation type="unfinished"></translation>
+        <translation>玻璃支撑</translation>
     </message>
     <message>
         <source>Spindle and coolant by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>手动控制主轴和冷却液</translation>
     </message>
     <message>
         <source>Spindle speed by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>手动主轴转速</translation>
     </message>
     <message>
         <source>Spindle on</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴开</translation>
     </message>
     <message>
         <source>Spindle off</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴关</translation>
     </message>
     <message>
         <source>Coolant on</source>
-        <translation type="unfinished"></translation>
+        <translation>冷却液开</translation>
     </message>
     <message>
         <source>Coolant off</source>
-        <translation type="unfinished"></translation>
+        <translation>冷却液关</translation>
     </message>
     <message>
         <source>A pane was broken off: its origin stays until it has been ground or given up.</source>
-        <translation type="unfinished"></translation>
+        <translation>有一片玻璃加工中断：在将其磨完或放弃之前，其原点保持不变。</translation>
     </message>
     <message>
         <source>Where the zero of the table lies in machine coordinates. Whether the job still fits into the travel is checked at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>工作台零点在机床坐标中的位置。任务是否仍在行程之内会立即检查。</translation>
     </message>
     <message>
         <source>The origin can be set when the axes are homed and at rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>各轴已回零且静止时才可设定原点。</translation>
     </message>
     <message>
         <source>No job is loaded: its recipe says how high the glass lies.</source>
-        <translation type="unfinished"></translation>
+        <translation>未加载任务：玻璃的高度由任务的配方给出。</translation>
     </message>
     <message>
         <source>Of the job that is loaded: the underside of the glass lies %1 mm above the table, the glass is %2 mm thick, and the middle of the wheel grinds at Z %3 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>已加载的任务：玻璃下表面高出工作台 %1 mm，玻璃厚 %2 mm，磨轮中部在 Z %3 mm 处磨削。</translation>
     </message>
 </context>
 <context>
@@ -2196,11 +2196,12 @@ HOLD</source>
     <message>
         <source>Lock
 30 s</source>
-        <translation type="unfinished"></translation>
+        <translation>锁屏
+30 s</translation>
     </message>
     <message>
         <source>Lock the screen for 30 s to wipe it</source>
-        <translation type="unfinished"></translation>
+        <translation>锁定屏幕 30 s 以便擦拭</translation>
     </message>
 </context>
 <context>
@@ -2295,7 +2296,7 @@ HOLD</source>
     </message>
     <message>
         <source>Distance between wheel and corner over time</source>
-        <translation type="unfinished"></translation>
+        <translation>磨轮与转角的距离随时间的变化</translation>
     </message>
 </context>
 <context>
@@ -2349,246 +2350,246 @@ mm</translation>
     <name>arris::ui::Diagnosis</name>
     <message>
         <source>Drive ready</source>
-        <translation type="unfinished"></translation>
+        <translation>驱动器就绪</translation>
     </message>
     <message>
         <source>ready</source>
-        <translation type="unfinished"></translation>
+        <translation>就绪</translation>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished">关闭</translation>
+        <translation>关闭</translation>
     </message>
     <message>
         <source>pressed</source>
-        <translation type="unfinished"></translation>
+        <translation>已按下</translation>
     </message>
     <message>
         <source>released</source>
-        <translation type="unfinished"></translation>
+        <translation>已松开</translation>
     </message>
     <message>
         <source>%1 h</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 小时</translation>
     </message>
     <message>
         <source>hit</source>
-        <translation type="unfinished"></translation>
+        <translation>已触发</translation>
     </message>
     <message>
         <source>free</source>
-        <translation type="unfinished"></translation>
+        <translation>未触发</translation>
     </message>
     <message>
         <source>on</source>
-        <translation type="unfinished"></translation>
+        <translation>接通</translation>
     </message>
     <message>
         <source>Limit switch, low end</source>
-        <translation type="unfinished"></translation>
+        <translation>限位开关，低端</translation>
     </message>
     <message>
         <source>Limit switch, high end</source>
-        <translation type="unfinished"></translation>
+        <translation>限位开关，高端</translation>
     </message>
     <message>
         <source>Reference switch</source>
-        <translation type="unfinished"></translation>
+        <translation>参考点开关</translation>
     </message>
     <message>
         <source>Drive enable (output)</source>
-        <translation type="unfinished"></translation>
+        <translation>驱动使能（输出）</translation>
     </message>
     <message>
         <source>Drive fault</source>
-        <translation type="unfinished"></translation>
+        <translation>驱动器故障</translation>
     </message>
     <message>
         <source>fault</source>
-        <translation type="unfinished"></translation>
+        <translation>故障</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>Encoder</source>
-        <translation type="unfinished"></translation>
+        <translation>编码器</translation>
     </message>
     <message>
         <source>lost</source>
-        <translation type="unfinished"></translation>
+        <translation>无信号</translation>
     </message>
     <message>
         <source>fine</source>
-        <translation type="unfinished"></translation>
+        <translation>正常</translation>
     </message>
     <message>
         <source>Following error, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>跟随误差，mm</translation>
     </message>
     <message>
         <source>At worst since the start, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>启动以来最大值，mm</translation>
     </message>
     <message>
         <source>Emergency stop</source>
-        <translation type="unfinished">急停</translation>
+        <translation>急停</translation>
     </message>
     <message>
         <source>tripped</source>
-        <translation type="unfinished"></translation>
+        <translation>已触发</translation>
     </message>
     <message>
         <source>Spindle</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴</translation>
     </message>
     <message>
         <source>at speed</source>
-        <translation type="unfinished">已达转速</translation>
+        <translation>已达转速</translation>
     </message>
     <message>
         <source>not at speed</source>
-        <translation type="unfinished"></translation>
+        <translation>未达转速</translation>
     </message>
     <message>
         <source>Coolant</source>
-        <translation type="unfinished"></translation>
+        <translation>冷却液</translation>
     </message>
     <message>
         <source>flows</source>
-        <translation type="unfinished">流动正常</translation>
+        <translation>流动正常</translation>
     </message>
     <message>
         <source>does not flow</source>
-        <translation type="unfinished"></translation>
+        <translation>无流动</translation>
     </message>
     <message>
         <source>Vacuum</source>
-        <translation type="unfinished"></translation>
+        <translation>真空</translation>
     </message>
     <message>
         <source>holds</source>
-        <translation type="unfinished"></translation>
+        <translation>已吸住</translation>
     </message>
     <message>
         <source>does not hold</source>
-        <translation type="unfinished"></translation>
+        <translation>未吸住</translation>
     </message>
     <message>
         <source>Button cycle start</source>
-        <translation type="unfinished"></translation>
+        <translation>循环启动按钮</translation>
     </message>
     <message>
         <source>Button feed hold</source>
-        <translation type="unfinished"></translation>
+        <translation>进给保持按钮</translation>
     </message>
     <message>
         <source>Button stop</source>
-        <translation type="unfinished"></translation>
+        <translation>停止按钮</translation>
     </message>
     <message>
         <source>Button jog enable</source>
-        <translation type="unfinished"></translation>
+        <translation>点动使能按钮</translation>
     </message>
     <message>
         <source>Override selector</source>
-        <translation type="unfinished"></translation>
+        <translation>倍率选择开关</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished">%1 %</translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>%1 r/min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 r/min</translation>
     </message>
     <message>
         <source>Heartbeat</source>
-        <translation type="unfinished"></translation>
+        <translation>心跳</translation>
     </message>
     <message>
         <source>beats</source>
-        <translation type="unfinished"></translation>
+        <translation>正常跳动</translation>
     </message>
     <message>
         <source>stands still</source>
-        <translation type="unfinished"></translation>
+        <translation>停止不动</translation>
     </message>
     <message>
         <source>Least lead, periods</source>
-        <translation type="unfinished"></translation>
+        <translation>最小提前量，周期</translation>
     </message>
     <message>
         <source>Late wake-ups</source>
-        <translation type="unfinished"></translation>
+        <translation>延迟唤醒次数</translation>
     </message>
     <message>
         <source>Latest wake-up, ms</source>
-        <translation type="unfinished"></translation>
+        <translation>最大唤醒延迟，ms</translation>
     </message>
     <message>
         <source>Buffered pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>缓冲的数据对</translation>
     </message>
     <message>
         <source>Lost reports</source>
-        <translation type="unfinished"></translation>
+        <translation>丢失的反馈</translation>
     </message>
     <message>
         <source>Refused commands</source>
-        <translation type="unfinished"></translation>
+        <translation>被拒绝的命令</translation>
     </message>
     <message>
         <source>Drives on</source>
-        <translation type="unfinished"></translation>
+        <translation>驱动接通时间</translation>
     </message>
     <message>
         <source>Spindle on</source>
-        <translation type="unfinished"></translation>
+        <translation>主轴运转时间</translation>
     </message>
     <message>
         <source>Grinding</source>
-        <translation type="unfinished">磨削</translation>
+        <translation>磨削</translation>
     </message>
     <message>
         <source>Ground</source>
-        <translation type="unfinished"></translation>
+        <translation>已磨长度</translation>
     </message>
     <message>
         <source>%1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m</translation>
     </message>
     <message>
         <source>Panes ground</source>
-        <translation type="unfinished"></translation>
+        <translation>已磨片数</translation>
     </message>
     <message>
         <source>Counted since</source>
-        <translation type="unfinished"></translation>
+        <translation>统计起始时间</translation>
     </message>
 </context>
 <context>
     <name>arris::ui::DiagnosisPanel</name>
     <message>
         <source>Axes</source>
-        <translation type="unfinished"></translation>
+        <translation>轴</translation>
     </message>
     <message>
         <source>Controller</source>
-        <translation type="unfinished"></translation>
+        <translation>控制器</translation>
     </message>
     <message>
         <source>Now</source>
-        <translation type="unfinished"></translation>
+        <translation>当前</translation>
     </message>
     <message>
         <source>Inputs</source>
-        <translation type="unfinished"></translation>
+        <translation>输入</translation>
     </message>
     <message>
         <source>Outputs</source>
-        <translation type="unfinished"></translation>
+        <translation>输出</translation>
     </message>
 </context>
 <context>
@@ -2629,13 +2630,13 @@ mm</translation>
     <name>arris::ui::HelpPage</name>
     <message>
         <source>Manual</source>
-        <translation type="unfinished"></translation>
+        <translation>手册</translation>
     </message>
     <message>
         <source>en</source>
         <comment>language of the manual</comment>
         <extracomment>The language that the manual is read in: that of this translation, &quot;de&quot; or &quot;zh_CN&quot;.</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>zh_CN</translation>
     </message>
 </context>
 <context>
@@ -2739,15 +2740,15 @@ Whole program: %2</source>
     </message>
     <message>
         <source>Alarms</source>
-        <translation type="unfinished"></translation>
+        <translation>报警</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>设置</translation>
     </message>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>帮助</translation>
     </message>
 </context>
 <context>
@@ -2781,102 +2782,102 @@ Whole program: %2</source>
     <name>arris::ui::OrderPanel</name>
     <message>
         <source>Good</source>
-        <translation type="unfinished"></translation>
+        <translation>合格</translation>
     </message>
     <message>
         <source>The pane is good</source>
-        <translation type="unfinished"></translation>
+        <translation>该片玻璃合格</translation>
     </message>
     <message>
         <source>Reject</source>
-        <translation type="unfinished"></translation>
+        <translation>不合格</translation>
     </message>
     <message>
         <source>The pane is a reject</source>
-        <translation type="unfinished"></translation>
+        <translation>该片玻璃不合格</translation>
     </message>
     <message>
         <source>Fewer panes</source>
-        <translation type="unfinished">减少片数</translation>
+        <translation>减少片数</translation>
     </message>
     <message>
         <source>More panes</source>
-        <translation type="unfinished">增加片数</translation>
+        <translation>增加片数</translation>
     </message>
     <message>
         <source>Order</source>
-        <translation type="unfinished"></translation>
+        <translation>订单</translation>
     </message>
     <message>
         <source>Grind the next pane smaller</source>
-        <translation type="unfinished"></translation>
+        <translation>下一片磨小</translation>
     </message>
     <message>
         <source>Leave the next pane larger</source>
-        <translation type="unfinished"></translation>
+        <translation>下一片留大</translation>
     </message>
     <message>
         <source>Size correction, next pane</source>
-        <translation type="unfinished"></translation>
+        <translation>尺寸修正，下一片</translation>
     </message>
     <message>
         <source>More leaves the pane larger.</source>
-        <translation type="unfinished"></translation>
+        <translation>数值越大，玻璃尺寸越大。</translation>
     </message>
     <message>
         <source>Pane %1 of %2: %3 good, %4 rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 片，共 %2 片：合格 %3，不合格 %4</translation>
     </message>
     <message>
         <source>Load for the next pane</source>
-        <translation type="unfinished"></translation>
+        <translation>为下一片加载</translation>
     </message>
     <message>
         <source>Load job</source>
-        <translation type="unfinished">加载任务</translation>
+        <translation>加载任务</translation>
     </message>
     <message>
         <source>Pane %1 was broken off: cycle start goes on with it. “Reject”, or loading a job, gives it up.</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 片已中断：循环启动将继续磨削这一片。按“不合格”或加载任务则放弃这一片。</translation>
     </message>
     <message>
         <source>The pane is interrupted: resume it, or stop it, before a job is loaded.</source>
-        <translation type="unfinished"></translation>
+        <translation>该片玻璃已中断：请先继续或停止，再加载任务。</translation>
     </message>
     <message>
         <source>What is planned on the page Job cannot be ground: nothing can be loaded before that is mended.</source>
-        <translation type="unfinished"></translation>
+        <translation>“任务”页上的规划无法磨削：排除问题之前无法加载。</translation>
     </message>
     <message>
         <source>Values have changed; this pane stays as it was loaded. After it load the job for the next pane.</source>
-        <translation type="unfinished"></translation>
+        <translation>数值已更改；当前这片仍按加载时的数值加工。完成后请为下一片加载任务。</translation>
     </message>
     <message>
         <source>Pane %1 has ended: good or reject? Changed since it was loaded: load the job again for the next pane.</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 片已结束：合格还是不合格？加载后已更改：加工下一片前请重新加载任务。</translation>
     </message>
     <message>
         <source>Changed since it was loaded: load the job again for the next pane.</source>
-        <translation type="unfinished">加载后已更改：加工下一片前请重新加载任务。</translation>
+        <translation>加载后已更改：加工下一片前请重新加载任务。</translation>
     </message>
     <message>
         <source>Pane %1 has ended: good or reject? It counts as good when the next one begins.</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 片已结束：合格还是不合格？下一片开始时按合格计。</translation>
     </message>
     <message>
         <source>The order is complete.</source>
-        <translation type="unfinished"></translation>
+        <translation>订单已完成。</translation>
     </message>
 </context>
 <context>
     <name>arris::ui::PathPlot</name>
     <message>
         <source>X, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>X，mm</translation>
     </message>
     <message>
         <source>Y, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Y，mm</translation>
     </message>
 </context>
 <context>
@@ -2979,26 +2980,30 @@ mm</translation>
     <message>
         <source>X position
 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>X 位置
+mm</translation>
     </message>
     <message>
         <source>X
 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>X
+mm</translation>
     </message>
     <message>
         <source>Y position
 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Y 位置
+mm</translation>
     </message>
     <message>
         <source>Y
 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Y
+mm</translation>
     </message>
     <message>
         <source>travel %1</source>
-        <translation type="unfinished"></translation>
+        <translation>行程 %1</translation>
     </message>
 </context>
 <context>
@@ -3117,63 +3122,63 @@ mm</source>
     </message>
     <message>
         <source>Profile…</source>
-        <translation type="unfinished"></translation>
+        <translation>速度曲线…</translation>
     </message>
     <message>
         <source>Save the profile as a table (CSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>将速度曲线保存为表格（CSV）</translation>
     </message>
     <message>
         <source>Job sheet…</source>
-        <translation type="unfinished"></translation>
+        <translation>任务单…</translation>
     </message>
     <message>
         <source>Save drawing, values, corners and times of the job as PDF</source>
-        <translation type="unfinished"></translation>
+        <translation>将任务的图形、数值、转角和时间保存为 PDF</translation>
     </message>
     <message>
         <source>Speeds</source>
-        <translation type="unfinished"></translation>
+        <translation>速度</translation>
     </message>
     <message>
         <source>Velocities, accelerations and distance to the corner over time</source>
-        <translation type="unfinished"></translation>
+        <translation>速度、加速度和到转角的距离随时间的变化</translation>
     </message>
     <message>
         <source>Positions</source>
-        <translation type="unfinished"></translation>
+        <translation>位置</translation>
     </message>
     <message>
         <source>X and Y over time</source>
-        <translation type="unfinished"></translation>
+        <translation>X 和 Y 随时间的变化</translation>
     </message>
     <message>
         <source>Path</source>
-        <translation type="unfinished"></translation>
+        <translation>路径</translation>
     </message>
     <message>
         <source>The way of the wheel in the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>磨轮在平面内的路径</translation>
     </message>
     <message>
         <source>From the start of the program to its end; of the path: all of the travel</source>
-        <translation type="unfinished"></translation>
+        <translation>从程序开始到结束；对于路径：整个行程</translation>
     </message>
     <message>
         <source>%1, corner %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，转角 %2</translation>
     </message>
     <message>
         <source>Save the profile of the run %1</source>
-        <translation type="unfinished"></translation>
+        <translation>保存运行 %1 的速度曲线</translation>
     </message>
     <message>
         <source>Save the planned profile</source>
-        <translation type="unfinished"></translation>
+        <translation>保存计划的速度曲线</translation>
     </message>
     <message>
         <source>Save job sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>保存任务单</translation>
     </message>
 </context>
 <context>
@@ -3213,83 +3218,84 @@ the wheel cannot reach</source>
     <name>arris::ui::ReliefPlot</name>
     <message>
         <source>time from A, s</source>
-        <translation type="unfinished"></translation>
+        <translation>从 A 起的时间，s</translation>
     </message>
     <message>
         <source>distance L, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>距离 L，mm</translation>
     </message>
     <message>
         <source>relief
 %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>脱离
+%1 mm</translation>
     </message>
 </context>
 <context>
     <name>arris::ui::ResumeBar</name>
     <message>
         <source>a power failure, or Arris ended</source>
-        <translation type="unfinished"></translation>
+        <translation>断电或 Arris 退出</translation>
     </message>
     <message>
         <source>Arris ended in a hold</source>
-        <translation type="unfinished"></translation>
+        <translation>Arris 在保持状态下退出</translation>
     </message>
     <message>
         <source>a stop</source>
-        <translation type="unfinished"></translation>
+        <translation>停止</translation>
     </message>
     <message>
         <source>a fault</source>
-        <translation type="unfinished"></translation>
+        <translation>故障</translation>
     </message>
     <message>
         <source>the emergency stop</source>
-        <translation type="unfinished"></translation>
+        <translation>急停</translation>
     </message>
     <message>
         <source>its end from the terminal</source>
-        <translation type="unfinished"></translation>
+        <translation>从终端结束程序</translation>
     </message>
     <message>
         <source>Resume the job of %1: %2, pane %3 of %4, interrupted by %5?</source>
-        <translation type="unfinished"></translation>
+        <translation>继续 %1 的任务：%2，第 %3 片，共 %4 片，因%5而中断？</translation>
     </message>
     <message>
         <source>Take it up</source>
-        <translation type="unfinished"></translation>
+        <translation>接续任务</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>丢弃</translation>
     </message>
     <message>
         <source>Keep it</source>
-        <translation type="unfinished"></translation>
+        <translation>保留</translation>
     </message>
     <message>
         <source>Understood</source>
-        <translation type="unfinished"></translation>
+        <translation>知道了</translation>
     </message>
     <message>
         <source>Discard it for good</source>
-        <translation type="unfinished"></translation>
+        <translation>永久丢弃</translation>
     </message>
     <message>
         <source>The job that was broken off is being read and planned…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在读取和规划已中断的任务…</translation>
     </message>
     <message>
         <source>Discard the job that was broken off? It cannot be resumed then.</source>
-        <translation type="unfinished"></translation>
+        <translation>丢弃已中断的任务？丢弃后将无法继续。</translation>
     </message>
     <message>
         <source>The job that was broken off cannot be resumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>已中断的任务无法继续。</translation>
     </message>
     <message>
         <source>The job that was broken off is not resumed; what is known of it is kept as %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>已中断的任务未继续；其已知信息保存为 %1。</translation>
     </message>
 </context>
 <context>
@@ -3342,167 +3348,168 @@ where it was broken off</source>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>Table</source>
-        <translation type="unfinished"></translation>
+        <translation>工作台</translation>
     </message>
     <message>
         <source>Machine</source>
-        <translation type="unfinished"></translation>
+        <translation>机床</translation>
     </message>
     <message>
         <source>To go</source>
-        <translation type="unfinished"></translation>
+        <translation>剩余</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>速度</translation>
     </message>
     <message>
         <source>To go: to the end of the line or arc that the wheel is on.</source>
-        <translation type="unfinished"></translation>
+        <translation>剩余：到磨轮当前所在直线或圆弧的终点。</translation>
     </message>
     <message>
         <source>%1 of %2 mm/min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2 mm/min</translation>
     </message>
     <message>
         <source>%1 mm/min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm/min</translation>
     </message>
     <message>
         <source>To grind: %1 mm
 Time left: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>待磨：%1 mm
+剩余时间：%2</translation>
     </message>
 </context>
 <context>
     <name>arris::ui::SettingsPage</name>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>解锁</translation>
     </message>
     <message>
         <source>Set this code</source>
-        <translation type="unfinished"></translation>
+        <translation>设定此密码</translation>
     </message>
     <message>
         <source>Take the code away</source>
-        <translation type="unfinished"></translation>
+        <translation>取消密码</translation>
     </message>
     <message>
         <source>Lock now</source>
-        <translation type="unfinished"></translation>
+        <translation>立即锁定</translation>
     </message>
     <message>
         <source>Window</source>
-        <translation type="unfinished"></translation>
+        <translation>窗口</translation>
     </message>
     <message>
         <source>Machine</source>
-        <translation type="unfinished"></translation>
+        <translation>机床</translation>
     </message>
     <message>
         <source>Code</source>
-        <translation type="unfinished"></translation>
+        <translation>密码</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>语言</translation>
     </message>
     <message>
         <source>That of the system</source>
-        <translation type="unfinished"></translation>
+        <translation>跟随系统</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>缩放</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished">%1 %</translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>Lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>长度单位</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>inch</source>
-        <translation type="unfinished"></translation>
+        <translation>英寸</translation>
     </message>
     <message>
         <source>Appearance</source>
-        <translation type="unfinished"></translation>
+        <translation>外观</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>浅色</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>深色</translation>
     </message>
     <message>
         <source>Keypad on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>屏幕键盘</translation>
     </message>
     <message>
         <source>At a touch</source>
-        <translation type="unfinished"></translation>
+        <translation>触摸时</translation>
     </message>
     <message>
         <source>At a click too</source>
-        <translation type="unfinished"></translation>
+        <translation>点击时也显示</translation>
     </message>
     <message>
         <source>Scale, from the next start</source>
-        <translation type="unfinished"></translation>
+        <translation>缩放，下次启动起生效</translation>
     </message>
     <message>
         <source>What is changed here counts from the next start of Arris.</source>
-        <translation type="unfinished"></translation>
+        <translation>此处的更改从 Arris 下次启动起生效。</translation>
     </message>
     <message>
         <source>Axes</source>
-        <translation type="unfinished"></translation>
+        <translation>轴</translation>
     </message>
     <message>
         <source>Simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟</translation>
     </message>
     <message>
         <source>LinuxCNC</source>
-        <translation type="unfinished"></translation>
+        <translation>LinuxCNC</translation>
     </message>
     <message>
         <source>A code protects the machine&apos;s values and, in the recipe, accelerations, corner speed and acceleration rule. The operator&apos;s values stay open.</source>
-        <translation type="unfinished"></translation>
+        <translation>密码保护机床参数，以及配方中的加速度、转角速度和加速度规则。操作员的数值保持开放。</translation>
     </message>
     <message>
         <source>This is not the code.</source>
-        <translation type="unfinished"></translation>
+        <translation>密码不正确。</translation>
     </message>
     <message>
         <source>A code has %1 to %2 digits.</source>
-        <translation type="unfinished"></translation>
+        <translation>密码为 %1 至 %2 位数字。</translation>
     </message>
     <message>
         <source>No code is set: all values are open.</source>
-        <translation type="unfinished"></translation>
+        <translation>未设密码：所有数值均开放。</translation>
     </message>
     <message>
         <source>All values are open until they are locked or Arris starts again.</source>
-        <translation type="unfinished"></translation>
+        <translation>所有数值均开放，直至锁定或 Arris 重新启动。</translation>
     </message>
     <message>
         <source>Locked: enter the code to change the machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>已锁定：输入密码后方可更改机床参数。</translation>
     </message>
 </context>
 <context>
@@ -3577,51 +3584,51 @@ Time left: %2</source>
     </message>
     <message>
         <source>Drives and jog</source>
-        <translation type="unfinished"></translation>
+        <translation>驱动与点动</translation>
     </message>
     <message>
         <source>Origin and by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>原点与手动</translation>
     </message>
     <message>
         <source>Simulation</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟</translation>
     </message>
     <message>
         <source>Jog</source>
-        <translation type="unfinished"></translation>
+        <translation>点动</translation>
     </message>
     <message>
         <source>Continuous</source>
-        <translation type="unfinished"></translation>
+        <translation>连续</translation>
     </message>
     <message>
         <source>Jog as long as a button is pressed</source>
-        <translation type="unfinished"></translation>
+        <translation>按住按钮期间持续点动</translation>
     </message>
     <message>
         <source>Jog by %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>每次点动 %1 mm</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>Jog enable on the panel held</source>
-        <translation type="unfinished"></translation>
+        <translation>已按住面板上的点动使能</translation>
     </message>
     <message>
         <source>Press the jog enable on the panel and keep it pressed: without it no axis is jogged.</source>
-        <translation type="unfinished"></translation>
+        <translation>按住面板上的点动使能按钮不放：否则任何轴都不能点动。</translation>
     </message>
     <message>
         <source>An axis moves as long as its button is pressed.</source>
-        <translation type="unfinished"></translation>
+        <translation>按住轴的按钮期间，该轴移动。</translation>
     </message>
     <message>
         <source>Each press moves an axis by %1 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>每按一次，轴移动 %1 mm。</translation>
     </message>
 </context>
 <context>

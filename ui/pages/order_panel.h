@@ -23,7 +23,7 @@ private:
   QWidget* makeVerdict();
   QWidget* makeOrder();
   QWidget* makeCorrection();
-  QPushButton* makeSign(const QString& sign, const QString& name, const QString& what);
+  static QPushButton* makeSign(const QString& sign, const QString& name, const QString& what);
   void judge(files::Verdict verdict);
   void changePanes(int by);
   void changeCorrection(double to);
