@@ -1986,6 +1986,35 @@ Vakuum: %3</translation>
     </message>
 </context>
 <context>
+    <name>arris::ui::AlarmTexts</name>
+    <message>
+        <source>active</source>
+        <translation>aktiv</translation>
+    </message>
+    <message>
+        <source>acknowledged</source>
+        <translation>quittiert</translation>
+    </message>
+    <message>
+        <source>not
+acknowledged</source>
+        <translation>nicht
+quittiert</translation>
+    </message>
+    <message>
+        <source>Cause: %1</source>
+        <translation>Ursache: %1</translation>
+    </message>
+    <message>
+        <source>What to do: %1</source>
+        <translation>Abhilfe: %1</translation>
+    </message>
+    <message>
+        <source>Record of the run: %1</source>
+        <translation>Aufzeichnung des Laufs: %1</translation>
+    </message>
+</context>
+<context>
     <name>arris::ui::AlarmsPage</name>
     <message>
         <source>Alarms</source>
@@ -2690,6 +2719,17 @@ Programm: %2</translation>
     <message>
         <source>Cannot be ground: see the problems.</source>
         <translation>Nicht schleifbar: siehe Probleme.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::Keypad</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbruch</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
     </message>
 </context>
 <context>
@@ -3652,6 +3692,15 @@ Restzeit: %2</translation>
     <message>
         <source>Share</source>
         <translation>Anteil</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::WipeCover</name>
+    <message>
+        <source>The screen is locked for wiping: %1 s
+FEED HOLD and STOP work.</source>
+        <translation>Der Bildschirm ist zum Abwischen gesperrt: %1 s
+VORSCHUB HALT und STOPP wirken.</translation>
     </message>
 </context>
 </TS>

@@ -1986,6 +1986,35 @@ Vuoto: %3</translation>
     </message>
 </context>
 <context>
+    <name>arris::ui::AlarmTexts</name>
+    <message>
+        <source>active</source>
+        <translation>attivo</translation>
+    </message>
+    <message>
+        <source>acknowledged</source>
+        <translation>confermato</translation>
+    </message>
+    <message>
+        <source>not
+acknowledged</source>
+        <translation>non
+confermato</translation>
+    </message>
+    <message>
+        <source>Cause: %1</source>
+        <translation>Causa: %1</translation>
+    </message>
+    <message>
+        <source>What to do: %1</source>
+        <translation>Rimedio: %1</translation>
+    </message>
+    <message>
+        <source>Record of the run: %1</source>
+        <translation>Registrazione del ciclo: %1</translation>
+    </message>
+</context>
+<context>
     <name>arris::ui::AlarmsPage</name>
     <message>
         <source>Alarms</source>
@@ -2690,6 +2719,17 @@ Programma: %2</translation>
     <message>
         <source>Cannot be ground: see the problems.</source>
         <translation>Non molabile: vedere i problemi.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::Keypad</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
     </message>
 </context>
 <context>
@@ -3652,6 +3692,15 @@ Tempo residuo: %2</translation>
     <message>
         <source>Share</source>
         <translation>Quota</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::WipeCover</name>
+    <message>
+        <source>The screen is locked for wiping: %1 s
+FEED HOLD and STOP work.</source>
+        <translation>Lo schermo è bloccato per la pulizia: %1 s
+PAUSA AVANZ. e STOP funzionano.</translation>
     </message>
 </context>
 </TS>

@@ -1986,6 +1986,35 @@ Vacuum: %3</source>
     </message>
 </context>
 <context>
+    <name>arris::ui::AlarmTexts</name>
+    <message>
+        <source>active</source>
+        <translation>有效</translation>
+    </message>
+    <message>
+        <source>acknowledged</source>
+        <translation>已确认</translation>
+    </message>
+    <message>
+        <source>not
+acknowledged</source>
+        <translation>未
+确认</translation>
+    </message>
+    <message>
+        <source>Cause: %1</source>
+        <translation>原因：%1</translation>
+    </message>
+    <message>
+        <source>What to do: %1</source>
+        <translation>处理：%1</translation>
+    </message>
+    <message>
+        <source>Record of the run: %1</source>
+        <translation>运行记录：%1</translation>
+    </message>
+</context>
+<context>
     <name>arris::ui::AlarmsPage</name>
     <message>
         <source>Alarms</source>
@@ -2690,6 +2719,17 @@ Whole program: %2</source>
     <message>
         <source>Cannot be ground: see the problems.</source>
         <translation>无法磨削：请查看“问题”。</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::Keypad</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>确定</translation>
     </message>
 </context>
 <context>
@@ -3652,6 +3692,15 @@ Time left: %2</source>
     <message>
         <source>Share</source>
         <translation>占比</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::WipeCover</name>
+    <message>
+        <source>The screen is locked for wiping: %1 s
+FEED HOLD and STOP work.</source>
+        <translation>屏幕已锁定以便擦拭：%1 秒
+进给保持和停止有效。</translation>
     </message>
 </context>
 </TS>
