@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kReliefPoints = 120;
 constexpr double kReliefRoom = 0.16;     // of the range, below and above
+constexpr double kMarginTextAt = 0.3;    // of the margin: under the curve
 constexpr double kLeastRange = 0.002;    // of R
 constexpr double kReliefTickRoom = 0.12; // of the range: nearer limits are named together
 
@@ -131,7 +132,7 @@ void ReliefPlot::showMargin(const toolpath::Corner& corner, double reliefRadius)
   const double margin = corner.widest - reliefRadius;
   m_margin->start->setCoords(middle, shown(reliefRadius));
   m_margin->end->setCoords(middle, shown(corner.widest));
-  m_marginText->position->setCoords(middle, shown((reliefRadius + corner.widest) / 2));
+  m_marginText->position->setCoords(middle, shown(reliefRadius + kMarginTextAt * margin));
   m_marginText->setColor(margin < 0 ? m_style.palette.error : m_style.palette.ink);
   const QString number =
       (margin < 0 ? QString() : QStringLiteral("+")) + fixedLengthText(margin, 2, m_style.locale, m_style.lengths);

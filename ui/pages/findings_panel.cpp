@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kProblemTab = 1;
 constexpr int kCardWidth = 300;
-constexpr int kSideBySideFrom = 960; // px
+constexpr int kSideBySideFrom = 1100; // px: the card needs room for its plot beside its figures
 
 void makeTouchable(QAbstractScrollArea& area) {
   QScroller::grabGesture(area.viewport(), QScroller::TouchGesture);
@@ -76,7 +76,7 @@ QWidget* FindingsPanel::makeCorners() {
   auto* page = new QWidget;
   m_cornersLayout = new QBoxLayout(QBoxLayout::LeftToRight, page);
   m_cornersLayout->setContentsMargins(4, 4, 4, 4);
-  m_cornersLayout->addWidget(m_corners, 3);
+  m_cornersLayout->addWidget(m_corners, 1);
   m_cornersLayout->addWidget(scroll, 1);
   connect(m_corners->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& row) {
     if (row.isValid() && row.row() + 1 != m_selected) {

@@ -116,6 +116,7 @@ TEST(ProfileCurves, ComeOutTheSameFromTheFileThatWasWritten) {
   for (std::size_t i = 0; i < planned.time.size(); ++i) {
     files::ProfileRow row;
     row.time = planned.time[i];
+    row.position = {planned.x[i], planned.y[i], 0};
     row.velocity = {planned.vx[i], planned.vy[i], 0};
     row.acceleration = {planned.ax[i], planned.ay[i], 0};
     row.speed = planned.speed[i];

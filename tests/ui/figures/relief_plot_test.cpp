@@ -41,14 +41,10 @@ TEST(ReliefDistance, IsThatOfThePlacesOfEquationOne) {
 
 class Relief : public testing::Test {
 protected:
-  static job::Job jobOf(double degrees) {
-    return job::planJob(test::isosceles(degrees, 900), {}, recipe::Machine{});
-  }
-
-  static void show(ReliefPlot& plot, const job::Job& job) {
+  static void show(ReliefPlot& plot, const job::Job& job, bool relief = true) {
     const auto& corners = job.toolpath.corners;
-    const auto sharp = std::find_if(corners.begin(), corners.end(), [](const toolpath::Corner& corner) {
-      return corner.s.norm() > 0 && corner.treatment == toolpath::Treatment::Transition;
+    const auto sharp = std::find_if(corners.begin(), corners.end(), [relief](const toolpath::Corner& corner) {
+      return corner.relief == relief && corner.treatment == toolpath::Treatment::Transition;
     });
     ASSERT_NE(sharp, corners.end());
     plot.showCorner(*sharp, job.recipe.wheelRadius);
@@ -90,7 +86,11 @@ TEST_F(Relief, SaysWhenTheWheelDoesNotLiftEnough) {
   recipe::Recipe deep;
   deep.depth = 4;
   ReliefPlot plot(screenStyle(kPlotUnit));
-  show(plot, job::planJob(test::isosceles(115, 900), deep, recipe::Machine{}));
+  show(plot, job::planJob(test::isosceles(115, 900), deep, recipe::Machine{}), false);
+  // (R/2)(s + 1/s) − R − d/s with s = sin 57.5°
+  EXPECT_TRUE(plot.findChild<QCPItemText*>()->text().contains("-3.65"))
+      << plot.findChild<QCPItemText*>()->text().toStdString();
+  EXPECT_EQ(plot.findChild<QCPItemText*>()->color(), Palette().error);
   test::keep("relief-narrow", plot);
 }
 
