@@ -17,7 +17,7 @@ constexpr double kBandAngleHeight = 34;
 constexpr double kBandGap = 8;
 constexpr double kNarrowest = 6;
 
-constexpr int kSelectedShade = 9; // % of ink
+constexpr int kSelectedShade = 5; // % of ink
 
 // Of a corner that is selected: nearer to the ink, on light and on dark paper.
 QColor shaded(const QColor& color, const QColor& ink) {

@@ -3,6 +3,7 @@
 #include "ui/figures/drawing.h"
 #include "ui/figures/figure.h"
 
+#include <QLocale>
 #include <QString>
 
 namespace arris::ui {
