@@ -340,7 +340,7 @@ private:
 Expected<void> replaceFiles(const BundledFiles& files, const fs::path& folder) {
   Replacement replacement;
   for (const BundledFile& file : files) {
-    if (const auto prepared = replacement.prepare(folder / file.name, file.bytes); !prepared) {
+    if (auto prepared = replacement.prepare(folder / file.name, file.bytes); !prepared) {
       return prepared;
     }
   }

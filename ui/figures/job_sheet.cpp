@@ -151,8 +151,9 @@ SheetRow SheetMaker::legend() const {
   const std::size_t rows = (entries.size() + columns - 1) / columns;
   return {kSheetLine * static_cast<double>(rows), [=, style = m_style](QPainter& painter, const QRectF& area) {
             for (std::size_t i = 0; i < entries.size(); ++i) {
+              const std::size_t row = i / columns;
               const QPointF left(area.left() + kSheetLegendWidth * static_cast<double>(i % columns),
-                                 area.top() + kSheetLine * (static_cast<double>(i / columns) + 0.5));
+                                 area.top() + kSheetLine * (static_cast<double>(row) + 0.5));
               entries[i].sample(painter, left, style);
               painter.setPen(style.palette.ink);
               painter.setFont(style.font(kSmallTextHeight));

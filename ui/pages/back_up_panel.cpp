@@ -82,7 +82,7 @@ QWidget* BackUpPanel::makeBackUps() {
 }
 
 QPushButton* BackUpPanel::add(QGroupBox& box, const QString& text, const QString& name, const QString& what,
-                              void (BackUpPanel::*act)()) {
+                              void (BackUpPanel::*act)()) const {
   auto* button = new QPushButton(text);
   button->setObjectName(name);
   connect(button, &QPushButton::clicked, this, act);

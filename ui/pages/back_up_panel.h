@@ -26,8 +26,8 @@ protected:
 private:
   QWidget* makeCounters();
   QWidget* makeBackUps();
-  QPushButton* add(QGroupBox& box, const QString& text, const QString& name, const QString& what,
-                   void (BackUpPanel::*act)());
+  [[nodiscard]] QPushButton* add(QGroupBox& box, const QString& text, const QString& name, const QString& what,
+                                 void (BackUpPanel::*act)()) const;
   QWidget* makeState();
   void showCounters();
   void showState();

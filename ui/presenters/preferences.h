@@ -17,7 +17,7 @@ class Preferences : public QObject {
 
 public:
   /// `machine`: what it is where no file says so.
-  explicit Preferences(control::StateFolder folder, recipe::Machine machine = {}, QObject* parent = nullptr);
+  explicit Preferences(control::StateFolder folder, const recipe::Machine& machine = {}, QObject* parent = nullptr);
 
   [[nodiscard]] const files::Settings& settings() const {
     return m_settings;

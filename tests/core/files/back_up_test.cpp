@@ -47,7 +47,7 @@ void furnish(const fs::path& state) {
 }
 
 /// Every file of a folder with its bytes, back-ups aside.
-std::map<std::string, std::string> contentOf(const fs::path& folder) {
+std::map<std::string, std::string> contentsOf(const fs::path& folder) {
   std::map<std::string, std::string> content;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
     const std::string name = entry.path().lexically_relative(folder).string();
@@ -85,11 +85,11 @@ TEST(BackUp, BringsAnEmptyFolderWhatTheOtherHad) {
   const auto restored = restoreBackUp(*backUp, scratch / "b", kOrigin);
   ASSERT_TRUE(restored) << describe(restored.error());
   EXPECT_FALSE(*restored);
-  std::map<std::string, std::string> expected = contentOf(scratch / "a");
+  std::map<std::string, std::string> expected = contentsOf(scratch / "a");
   for (const char* name : {"alarms.jsonl", "resume.json", "recipes/.hidden.json", "recipes/notes.txt"}) {
     EXPECT_EQ(expected.erase(name), 1U);
   }
-  EXPECT_EQ(contentOf(scratch / "b"), expected);
+  EXPECT_EQ(contentsOf(scratch / "b"), expected);
 }
 
 TEST(BackUp, WhatIsReplacedIsKeptAsABackUpThatCanBeRestored) {
@@ -98,15 +98,15 @@ TEST(BackUp, WhatIsReplacedIsKeptAsABackUpThatCanBeRestored) {
   furnish(scratch / "b");
   putFile(scratch / "b/machine.json", machineWith(0.004));
   putFile(scratch / "b/recipes/Only here.json", writeRecipe({}));
-  const auto before = contentOf(scratch / "b");
+  const auto before = contentsOf(scratch / "b");
   ASSERT_TRUE(writeBackUp(scratch / "a", scratch / "kept.tar.gz", kOrigin));
   const auto restored = restoreBackUp(readBackUp(scratch / "kept.tar.gz").value(), scratch / "b", kOrigin);
   ASSERT_TRUE(restored && *restored);
   auto after = before;
   after["machine.json"] = machineWith(0.002);
-  EXPECT_EQ(contentOf(scratch / "b"), after); // what the back-up does not hold stays
+  EXPECT_EQ(contentsOf(scratch / "b"), after); // what the back-up does not hold stays
   ASSERT_TRUE(restoreBackUp(readBackUp(**restored).value(), scratch / "b", kOrigin));
-  EXPECT_EQ(contentOf(scratch / "b"), before);
+  EXPECT_EQ(contentsOf(scratch / "b"), before);
 }
 
 TEST(BackUp, OfNothingIsNotWritten) {
@@ -194,11 +194,11 @@ TEST(BackUp, IsRestoredWhollyOrNotAtAll) {
   putFile(scratch / "b/machine.json", machineWith(0.004));
   fs::remove(scratch / "b/recipes/Tür.json");
   fs::create_directories(scratch / "b/recipes/Tür.json"); // a folder in the way of the last file
-  const auto before = contentOf(scratch / "b");
+  const auto before = contentsOf(scratch / "b");
   const auto restored = restoreBackUp(backUp, scratch / "b", kOrigin);
   ASSERT_FALSE(restored);
   EXPECT_EQ(restored.error().code, base::Code::CannotWrite);
-  EXPECT_EQ(contentOf(scratch / "b"), before);
+  EXPECT_EQ(contentsOf(scratch / "b"), before);
 }
 
 TEST(SupportBundle, HasTheLatestRecordsAndNamesWhatItLacks) {

@@ -30,7 +30,7 @@ protected:
     m_window.show();
   }
 
-  ~SettingsWindow() override {
+  void TearDown() override { // what counts for the whole process
     speak(QStringLiteral("en"));
     QLocale::setDefault(test::kEnglish);
     showLengthsIn(LengthUnit::Millimetre);
@@ -38,11 +38,6 @@ protected:
     setKeypadOpens(KeypadOpens::OnTouch);
     applyTheme(*qApp);
   }
-
-  SettingsWindow(const SettingsWindow&) = delete;
-  SettingsWindow& operator=(const SettingsWindow&) = delete;
-  SettingsWindow(SettingsWindow&&) = delete;
-  SettingsWindow& operator=(SettingsWindow&&) = delete;
 
   template <typename Widget = QPushButton> Widget* find(const char* name) {
     return m_window.findChild<Widget*>(QString::fromLatin1(name));

@@ -17,7 +17,7 @@ std::string textOf(const std::filesystem::path& file) {
 
 class PreferencesTest : public testing::Test {
 protected:
-  void put(const std::filesystem::path& file, std::string_view text) {
+  void put(const std::filesystem::path& file, std::string_view text) const {
     std::filesystem::create_directories(m_folder.root);
     ASSERT_TRUE(files::writeWholeFile(file, text));
   }
