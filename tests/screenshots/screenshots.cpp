@@ -37,9 +37,10 @@ public:
   bool takeAll() {
     takeState(QStringLiteral("empty"));
     m_window.openPattern(ARRIS_SOURCE_DIR "/resources/samples/triangle.dxf");
-    const bool isReady =
-        waitFor([&] { return m_window.planner().curves() != nullptr; }) && switchOn() && loadAndTake() && runAndTake();
-    return isReady && m_failed == 0;
+    const bool isWhole = succeeds("plan", waitFor([&] { return m_window.planner().curves() != nullptr; })) &&
+                         succeeds("home", switchOn()) && succeeds("load", loadAndTake()) &&
+                         succeeds("run", runAndTake());
+    return isWhole && succeeds("write", m_failed == 0);
   }
 
 private:
@@ -47,6 +48,14 @@ private:
     MachineSetup setup{{}, {scratch / "state"}, control::Pace::Real};
     setup.machine.setPointLead = 0.2; // a busy computer wakes the thread late
     return setup;
+  }
+
+  // What the pictures lack, for whoever looks for them.
+  static bool succeeds(const char* what, bool isDone) {
+    if (!isDone) {
+      std::fprintf(stderr, "arris_screenshots: could not %s\n", what);
+    }
+    return isDone;
   }
 
   static bool waitFor(const std::function<bool()>& condition) {
