@@ -52,7 +52,7 @@ void writeHostile(const fs::path& file, const std::vector<Hostile>& entries) {
   archive_write_free(writer);
 }
 
-void putFile(const fs::path& file, const std::string& bytes) {
+void putBundle(const fs::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
 
@@ -81,7 +81,7 @@ TEST(Bundle, CutOffAnywhereIsRefusedOrWhole) {
   const std::string whole = readFile(scratch / "a").value();
   int refused = 0;
   for (std::size_t length = 0; length < whole.size(); length += 1 + length / 50) {
-    putFile(scratch / "cut", whole.substr(0, length));
+    putBundle(scratch / "cut", whole.substr(0, length));
     const auto read = readBundle(scratch / "cut");
     refused += read ? 0 : 1;
     if (read && !read->empty()) { // what is missing stands to the reader's check of fingerprints
@@ -101,15 +101,15 @@ TEST(Bundle, DamagedBytesDoNoHarm) {
     for (int i = 0; i < 3; ++i) {
       bytes[random() % bytes.size()] = static_cast<char>(random() % 256);
     }
-    putFile(scratch / "damaged", bytes);
+    putBundle(scratch / "damaged", bytes);
     static_cast<void>(readBundle(scratch / "damaged"));
   }
 }
 
 TEST(Bundle, WhatIsNoArchiveIsRefused) {
   const test::Scratch scratch;
-  putFile(scratch / "text", "This is a letter to somebody.\n");
-  putFile(scratch / "png", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16));
+  putBundle(scratch / "text", "This is a letter to somebody.\n");
+  putBundle(scratch / "png", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16));
   for (const char* name : {"text", "png"}) {
     EXPECT_THAT(complaintAbout(scratch / name), testing::HasSubstr("it is no archive of Arris")) << name;
   }
@@ -156,7 +156,7 @@ TEST(Bundle, ABombGoesOffNowhere) {
   }
   writeHostile(scratch / "several", several);
   writeHostile(scratch / "many", many);
-  putFile(scratch / "long", std::string(limits.archive + 1, '\0'));
+  putBundle(scratch / "long", std::string(limits.archive + 1, '\0'));
   for (const char* name : {"large", "several", "many", "long"}) {
     EXPECT_THAT(complaintAbout(scratch / name, limits), testing::HasSubstr("larger than a back-up can be")) << name;
   }
