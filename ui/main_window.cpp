@@ -21,6 +21,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -121,6 +122,13 @@ void MainWindow::build() {
   connect(m_strip, &ControlStrip::lockRequested, this, [this] { setLocked(true); });
   connect(m_cover, &WipeCover::ended, this, [this] { setLocked(false); });
   connect(job, &JobPage::openRequested, this, &MainWindow::askForPattern);
+  const auto openEngineering = [this, job] {
+    for (const char* key : {"accel_x_mm_s2", "accel_y_mm_s2"}) {
+      job->findChild<QLineEdit*>(QString::fromLatin1(key))->setEnabled(m_preferences.isOpen());
+    }
+  };
+  connect(&m_preferences, &Preferences::openChanged, job, openEngineering);
+  openEngineering();
 }
 
 void MainWindow::addPage(QWidget* page, const QString& text, const QString& name) {

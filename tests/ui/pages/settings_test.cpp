@@ -131,6 +131,8 @@ TEST_F(SettingsWindow, LocksTheMachineBehindTheCode) {
   tap("codeLock");
   test::keep("settings-code", m_window);
   EXPECT_FALSE(travel->isEnabled());
+  EXPECT_FALSE(find<QLineEdit>("accel_x_mm_s2")->isEnabled());
+  EXPECT_TRUE(find<QLineEdit>("depth_mm")->isEnabled());
   find<QLineEdit>("code")->setText(QStringLiteral("1111"));
   tap("codeOpen");
   EXPECT_FALSE(travel->isEnabled());
