@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kProblemTab = 1;
 constexpr int kCardWidth = 300;
-constexpr int kSideBySideFrom = 1100; // px: the card needs room for its plot beside its figures
+constexpr int kSideBySideFrom = 1160; // px: the card needs room for its plot beside its figures
 
 void makeTouchable(QAbstractScrollArea& area) {
   QScroller::grabGesture(area.viewport(), QScroller::TouchGesture);

@@ -13,7 +13,7 @@ namespace arris::ui {
 namespace {
 
 constexpr int kFiguresHeight = 14;   // px
-constexpr int kPlotBesideFrom = 520; // px
+constexpr int kPlotBesideFrom = 560; // px
 
 } // namespace
 

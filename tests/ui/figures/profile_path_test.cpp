@@ -58,7 +58,8 @@ TEST(ProfilePath, IsAsLongAsTheWheelPath) {
 TEST(ProfilePath, LeavesOutTheWaysFromOneContourToTheNext) {
   pattern::Pattern two = test::polygon({{0, 0}, {300, 0}, {300, 300}, {0, 300}});
   const pattern::Pattern other = test::polygon({{800, 0}, {1100, 0}, {1100, 300}, {800, 300}});
-  two.contours.insert(two.contours.end(), other.contours.begin(), other.contours.end());
+  two.contours.push_back(other.contours.front());
+  two.contours.back().id = 2;
   const job::Job job = job::planJob(two, {}, {});
   ASSERT_TRUE(job.canBeGround());
   double left = std::numeric_limits<double>::infinity(); // of the pane on the right
@@ -68,12 +69,18 @@ TEST(ProfilePath, LeavesOutTheWaysFromOneContourToTheNext) {
     left = box.min().x() > 750 ? std::min(left, box.min().x()) : left;
     right = box.max().x() < 750 ? std::max(right, box.max().x()) : right;
   }
+  ASSERT_LT(right, left);
   const double middle = (left + right) / 2;
+  int onTheLeft = 0;
+  int onTheRight = 0;
   for (const PathPiece& piece : pathOf(curvesOf(columnsOf(job), {}))) {
-    for (qsizetype i = 1; i < piece.points.size(); ++i) {
-      EXPECT_EQ(piece.points[i].x() < middle, piece.points[i - 1].x() < middle);
-    }
+    const QRectF box = piece.points.boundingRect();
+    EXPECT_TRUE(box.right() < middle || box.left() > middle)
+        << box.left() << " to " << box.right() << ", not across " << middle;
+    ++(box.right() < middle ? onTheLeft : onTheRight);
   }
+  EXPECT_EQ(onTheLeft, 9); // four corners, and before, between and after them
+  EXPECT_EQ(onTheRight, 9);
 }
 
 TEST(ProfilePath, KnowsThePlacesOfTheMethod) {
