@@ -19,7 +19,7 @@ struct Injection {
 
 /// How a job is to be executed without a window.
 struct HeadlessRun {
-  control::StateFolder folder;
+  files::StateFolder folder;
   std::string patternFile;
   std::string patternHash;
   std::string axes;                                 ///< "simulated", "linuxcnc"

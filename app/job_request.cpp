@@ -48,17 +48,6 @@ base::Expected<void> writePlannedProfile(const job::Job& job, const fs::path& fi
   });
 }
 
-base::Expected<void> writeExecutedProfile(const fs::path& record, const fs::path& file) {
-  base::Expected<void> read;
-  auto written = files::writeWholeFile(file, [&](files::Output& output) {
-    if (const auto result = files::writeProfile(record, output); !result) {
-      read = tl::unexpected(result.error());
-      output.abandon();
-    }
-  });
-  return read ? written : read;
-}
-
 base::Expected<ui::Figure> executedFigure(const job::Job& job, const fs::path& record, const QString& title) {
   ui::ProfileColumns executed;
   const auto read = files::readRecord(record, {[&](const files::RunRow& row) { ui::append(executed, row.row); }, {}});
@@ -86,7 +75,7 @@ std::vector<Task> tasks(const JobRequest& request, const PlannedJob& planned, co
       {files.profile, true,
        [&] {
          return record.empty() ? writePlannedProfile(job, files.profile, progress)
-                               : writeExecutedProfile(record, files.profile);
+                               : files::writeProfileFile(record, files.profile);
        }},
       {files.gcode, true,
        [&, name] { return files::writeWholeFile(files.gcode, files::gcode(job, name, transitionForm(request))); }},

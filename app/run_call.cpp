@@ -92,7 +92,7 @@ OrStatus<std::vector<Injection>> injectionsOf(const std::vector<std::string>& te
 }
 
 /// Where the job of this pattern was broken off.
-OrStatus<files::ResumePoint> resumePoint(const control::StateFolder& folder, const std::string& patternHash) {
+OrStatus<files::ResumePoint> resumePoint(const files::StateFolder& folder, const std::string& patternHash) {
   control::FoundJob found = control::findBrokenJob(folder);
   if (const ExitStatus status = tellAndJudge(found.problems); status != ExitStatus::Done) {
     return tl::unexpected(status);

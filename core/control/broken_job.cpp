@@ -31,7 +31,7 @@ std::string axesText(const Eigen::Vector3d& values) {
 
 } // namespace
 
-FoundJob findBrokenJob(const StateFolder& folder) {
+FoundJob findBrokenJob(const files::StateFolder& folder) {
   FoundJob found;
   const std::filesystem::path file = folder.resumePoint();
   std::error_code none;

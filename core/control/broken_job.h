@@ -20,7 +20,7 @@ struct FoundJob {
   base::Problems problems;
 };
 
-[[nodiscard]] FoundJob findBrokenJob(const StateFolder& folder);
+[[nodiscard]] FoundJob findBrokenJob(const files::StateFolder& folder);
 
 /// JobOfAnotherPattern where the pattern with this fingerprint is not the one that was being ground.
 [[nodiscard]] std::optional<base::Problem> checkPattern(const files::ResumePoint& point,

@@ -21,7 +21,7 @@ base::Expected<void> tryToWriteIn(const std::filesystem::path& folder) {
 
 } // namespace
 
-RunKeeper::RunKeeper(StateFolder folder, std::shared_ptr<const job::Job> job, std::string patternFile,
+RunKeeper::RunKeeper(files::StateFolder folder, std::shared_ptr<const job::Job> job, std::string patternFile,
                      std::string patternHash, std::function<std::string()> wallClock, const PaneOrder& panes)
     : m_folder(std::move(folder)), m_job(std::move(job)), m_patternFile(std::move(patternFile)),
       m_patternHash(std::move(patternHash)), m_wallClock(std::move(wallClock)), m_resumePoint(m_folder.resumePoint()),

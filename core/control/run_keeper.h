@@ -5,6 +5,7 @@
 #include "core/files/alarm_log.h"
 #include "core/files/resume_point.h"
 #include "core/files/run_record.h"
+#include "core/files/state_folder.h"
 
 #include <functional>
 #include <memory>
@@ -12,49 +13,6 @@
 #include <string>
 
 namespace arris::control {
-
-/// Where a machine keeps what its runs leave.
-struct StateFolder {
-  std::filesystem::path root;
-
-  [[nodiscard]] std::filesystem::path records() const {
-    return root / "records";
-  }
-
-  [[nodiscard]] std::filesystem::path resumePoint() const {
-    return root / "resume.json";
-  }
-
-  [[nodiscard]] std::filesystem::path alarmLog() const {
-    return root / "alarms.jsonl";
-  }
-
-  [[nodiscard]] std::filesystem::path settings() const {
-    return root / "settings.json";
-  }
-
-  [[nodiscard]] std::filesystem::path machine() const {
-    return root / "machine.json";
-  }
-
-  /// The recipe of last time.
-  [[nodiscard]] std::filesystem::path recipe() const {
-    return root / "recipe.json";
-  }
-
-  /// The recipes that have a name.
-  [[nodiscard]] std::filesystem::path recipes() const {
-    return root / "recipes";
-  }
-
-  [[nodiscard]] std::filesystem::path counters() const {
-    return root / "counters.json";
-  }
-
-  [[nodiscard]] std::filesystem::path paneJournal() const {
-    return root / "panes.jsonl";
-  }
-};
 
 /// The resume point is written so often, s of the run.
 inline constexpr double kResumeEvery = 0.2;
@@ -71,8 +29,8 @@ class RunKeeper {
 public:
   /// `wallClock` gives the present time, ISO 8601. Folders that are absent are made; one in which nothing can be
   /// written is a problem from the first.
-  RunKeeper(StateFolder folder, std::shared_ptr<const job::Job> job, std::string patternFile, std::string patternHash,
-            std::function<std::string()> wallClock, const PaneOrder& panes = {});
+  RunKeeper(files::StateFolder folder, std::shared_ptr<const job::Job> job, std::string patternFile,
+            std::string patternHash, std::function<std::string()> wallClock, const PaneOrder& panes = {});
 
   /// Writes what waits; a run that still goes on stays resumable.
   ~RunKeeper();
@@ -116,7 +74,7 @@ private:
   void keepPlace(const Report& report, files::Ended ended);
   void keep(const base::Expected<void>& result);
 
-  StateFolder m_folder;
+  files::StateFolder m_folder;
   std::shared_ptr<const job::Job> m_job;
   std::string m_patternFile;
   std::string m_patternHash;

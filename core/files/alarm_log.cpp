@@ -1,7 +1,7 @@
 #include "core/files/alarm_log.h"
 
-#include "core/files/append_line.h"
 #include "core/files/json_members.h"
+#include "core/files/lines.h"
 #include "core/files/whole_file.h"
 
 #include <map>
@@ -72,9 +72,7 @@ Expected<AlarmLog> readAlarmLog(const path& log) {
     return Unexpected(text.error());
   }
   std::map<std::pair<std::string, std::string>, std::size_t> places;
-  for (std::string_view rest = *text; !rest.empty();) {
-    const std::size_t end = rest.find('\n');
-    const std::string_view line = rest.substr(0, end);
+  eachLine(*text, [&](std::string_view line) {
     if (auto alarm = alarmFrom(line)) {
       const auto [place, isNew] = places.try_emplace({alarm->time, alarm->code}, result.alarms.size());
       if (isNew) {
@@ -85,8 +83,7 @@ Expected<AlarmLog> readAlarmLog(const path& log) {
     } else if (!line.empty()) {
       ++result.brokenLines;
     }
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-  }
+  });
   return result;
 }
 

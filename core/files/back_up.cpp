@@ -7,6 +7,7 @@
 #include "core/files/record_folder.h"
 #include "core/files/run_record.h"
 #include "core/files/settings_json.h"
+#include "core/files/state_folder.h"
 #include "core/files/whole_file.h"
 
 #include <fmt/format.h>
@@ -31,9 +32,11 @@ constexpr int kManifestVersion = 1;
 constexpr std::string_view kBackUpKind = "back-up";
 constexpr std::string_view kSupportKind = "support";
 
-constexpr std::array<std::string_view, 4> kSettingsFiles{"settings.json", "machine.json", "recipe.json",
-                                                         "counters.json"};
-constexpr std::string_view kRecipesFolder = "recipes/";
+// Names within an archive are those within the state folder.
+const StateFolder kInside;
+const std::array<std::string, 4> kSettingsFiles{kInside.settings().string(), kInside.machine().string(),
+                                                kInside.recipe().string(), kInside.counters().string()};
+const std::string kRecipesFolder = kInside.recipes().string() + '/';
 constexpr std::string_view kJsonEnding = ".json";
 constexpr std::size_t kLongestRecipeName = 255; // bytes, of most file systems
 
@@ -59,19 +62,19 @@ bool isOfBackUp(std::string_view name) {
 Expected<std::vector<std::string>> namesOfBackUp(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code error;
-  for (const std::string_view name : kSettingsFiles) {
+  for (const std::string& name : kSettingsFiles) {
     if (fs::is_regular_file(folder / name, error)) {
-      names.emplace_back(name);
+      names.push_back(name);
     }
   }
-  const fs::path recipes = folder / kRecipesFolder;
+  const fs::path recipes = StateFolder{folder}.recipes();
   if (!fs::is_directory(recipes, error)) {
     return names;
   }
   std::vector<std::string> found;
   for (fs::directory_iterator entry(recipes, error); !error && entry != fs::directory_iterator();
        entry.increment(error)) {
-    std::string name = std::string(kRecipesFolder) + entry->path().filename().string();
+    std::string name = kRecipesFolder + entry->path().filename().string();
     std::error_code gone;
     if (isRecipeName(name) && entry->is_regular_file(gone)) {
       found.push_back(std::move(name));
@@ -137,12 +140,12 @@ Expected<std::size_t> writeWithManifest(const fs::path& archive, BundledFile man
 std::vector<std::string> latestRecords(const fs::path& folder) {
   std::vector<std::pair<fs::file_time_type, std::string>> records;
   std::error_code error;
-  for (fs::directory_iterator entry(folder / "records", error); !error && entry != fs::directory_iterator();
+  for (fs::directory_iterator entry(StateFolder{folder}.records(), error); !error && entry != fs::directory_iterator();
        entry.increment(error)) {
     std::error_code gone;
     const fs::file_time_type changed = entry->last_write_time(gone);
     if (entry->path().extension() == kRecordEnding && entry->is_regular_file(gone) && !gone) {
-      records.emplace_back(changed, "records/" + entry->path().filename().string());
+      records.emplace_back(changed, (kInside.records() / entry->path().filename()).string());
     }
   }
   std::sort(records.rbegin(), records.rend());
@@ -159,12 +162,12 @@ BundledFiles filesOfSupport(const fs::path& folder, std::vector<std::string>& le
   if (const auto settings = namesOfBackUp(folder)) {
     names = *settings;
   } else {
-    leftOut.emplace_back(kRecipesFolder);
+    leftOut.push_back(kRecipesFolder);
   }
   std::error_code error;
-  for (const char* name : {"alarms.jsonl", "resume.json"}) {
+  for (const fs::path& name : {kInside.alarmLog(), kInside.resumePoint()}) {
     if (fs::exists(folder / name, error)) {
-      names.emplace_back(name);
+      names.push_back(name.string());
     }
   }
   const std::vector<std::string> records = latestRecords(folder);
@@ -184,13 +187,13 @@ BundledFiles filesOfSupport(const fs::path& folder, std::vector<std::string>& le
 }
 
 base::Problems problemsIn(const BundledFile& file) {
-  if (file.name == "machine.json") {
+  if (file.name == kInside.machine()) {
     return readMachine(file.bytes, file.name).problems;
   }
-  if (file.name == "counters.json") {
+  if (file.name == kInside.counters()) {
     return readCounters(file.bytes, file.name).problems;
   }
-  if (file.name == "settings.json") {
+  if (file.name == kInside.settings()) {
     return readSettingsFile(file.bytes, file.name).problems;
   }
   return readRecipe(file.bytes, file.name).problems;
@@ -383,9 +386,9 @@ Expected<BackUp> readBackUp(const fs::path& archive, const BundleLimits& limits)
 
 Expected<std::optional<fs::path>> restoreBackUp(const BackUp& backUp, const fs::path& stateFolder,
                                                 const BundleOrigin& now) {
-  const fs::path kept = stateFolder / "back-ups";
+  const fs::path kept = StateFolder{stateFolder}.backUps();
   std::error_code error;
-  for (const fs::path& folder : {kept, stateFolder / kRecipesFolder}) {
+  for (const fs::path& folder : {kept, StateFolder{stateFolder}.recipes()}) {
     fs::create_directories(folder, error);
     if (error) {
       return Unexpected(systemProblem(Code::CannotWrite, folder, error.value()));

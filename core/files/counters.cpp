@@ -36,13 +36,9 @@ std::string writeCounters(const Counters& counters) {
 
 Read<Counters> readCounters(std::string_view text, std::string_view file) {
   Read<Counters> result;
-  const auto object = parseJson(text, file);
+  const auto object = parseVersioned(text, kCountersKey, kCountersVersion, file);
   if (!object) {
     result.problems.push_back(object.error());
-    return result;
-  }
-  if (const auto version = checkVersion(*object, kCountersKey, kCountersVersion, file); !version) {
-    result.problems.push_back(version.error());
     return result;
   }
   for (const auto& [key, value] : object->items()) {

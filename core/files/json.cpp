@@ -115,6 +115,12 @@ Expected<void> checkVersion(const Json& object, std::string_view key, int known,
   return {};
 }
 
+Expected<Json> parseVersioned(std::string_view text, std::string_view key, int known, std::string_view file) {
+  return parseJson(text, file).and_then([&](const Json& object) -> Expected<Json> {
+    return checkVersion(object, key, known, file).map([&] { return object; });
+  });
+}
+
 std::string shown(const Json& value) {
   constexpr std::size_t kLongest = 40;
   std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);

@@ -20,6 +20,10 @@ using Json = nlohmann::ordered_json;
 /// nesting that no file of Arris has. `file` names it in the problems. Never throws, whatever the text.
 [[nodiscard]] base::Expected<Json> parseJson(std::string_view text, std::string_view file);
 
+/// The same of a file of the kind `key` ("arris_recipe") and of a version up to `known`, with what is wrong otherwise.
+[[nodiscard]] base::Expected<Json> parseVersioned(std::string_view text, std::string_view key, int known,
+                                                  std::string_view file);
+
 /// Refuses an object that is no file of the kind `key` ("arris_recipe") or of a version after `known`.
 [[nodiscard]] base::Expected<void> checkVersion(const Json& object, std::string_view key, int known,
                                                 std::string_view file);

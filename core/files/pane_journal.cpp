@@ -1,7 +1,7 @@
 #include "core/files/pane_journal.h"
 
-#include "core/files/append_line.h"
 #include "core/files/json_members.h"
+#include "core/files/lines.h"
 #include "core/files/run_record.h"
 #include "core/files/whole_file.h"
 
@@ -58,13 +58,11 @@ base::Expected<std::vector<PaneEntry>> readPanes(const std::filesystem::path& jo
   }
   return readFile(journal).map([](const std::string& text) {
     std::vector<PaneEntry> panes;
-    for (std::string_view rest = text; !rest.empty();) {
-      const std::size_t end = rest.find('\n');
-      if (auto entry = paneFrom(rest.substr(0, end))) {
+    eachLine(text, [&](std::string_view line) {
+      if (auto entry = paneFrom(line)) {
         panes.push_back(*std::move(entry));
       }
-      rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    }
+    });
     return panes;
   });
 }

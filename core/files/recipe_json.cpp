@@ -144,13 +144,9 @@ void setMembers(const Json& object, std::string_view file, T& value, Problems& p
 template <typename T>
 Read<T> read(std::string_view text, std::string_view file, const T& defaults, std::string_view versionKey, int known) {
   Read<T> result{defaults, {}};
-  const auto object = parseJson(text, file);
+  const auto object = parseVersioned(text, versionKey, known, file);
   if (!object) {
     result.problems.push_back(object.error());
-    return result;
-  }
-  if (const auto version = checkVersion(*object, versionKey, known, file); !version) {
-    result.problems.push_back(version.error());
     return result;
   }
   readMembers(*object, file, result.value, result.problems, versionKey);

@@ -92,13 +92,9 @@ std::string writeResumePoint(const ResumePoint& point) {
 
 Read<ResumePoint> readResumePoint(std::string_view text, std::string_view file) {
   Read<ResumePoint> result;
-  const auto object = parseJson(text, file);
+  const auto object = parseVersioned(text, kResumeKey, kResumeVersion, file);
   if (!object) {
     result.problems.push_back(object.error());
-    return result;
-  }
-  if (const auto version = checkVersion(*object, kResumeKey, kResumeVersion, file); !version) {
-    result.problems.push_back(version.error());
     return result;
   }
   for (const auto& [key, value] : object->items()) {

@@ -442,4 +442,15 @@ Expected<RunRecord> writeProfile(const path& record, Output& output) {
   return read;
 }
 
+Expected<void> writeProfileFile(const path& record, const path& file) {
+  Expected<void> read;
+  auto written = writeWholeFile(file, [&](Output& output) {
+    if (const auto result = writeProfile(record, output); !result) {
+      read = Unexpected(result.error());
+      output.abandon();
+    }
+  });
+  return read ? written : read;
+}
+
 } // namespace arris::files

@@ -108,4 +108,8 @@ struct RecordListener {
 /// Streams the profile of the run as CSV. The result is that of reading.
 [[nodiscard]] base::Expected<RunRecord> writeProfile(const std::filesystem::path& record, Output& output);
 
+/// The same into a file, whole or not at all: what reading or writing says.
+[[nodiscard]] base::Expected<void> writeProfileFile(const std::filesystem::path& record,
+                                                    const std::filesystem::path& file);
+
 } // namespace arris::files

@@ -117,13 +117,9 @@ std::string writeSettingsFile(const Settings& settings) {
 
 Read<Settings> readSettingsFile(std::string_view text, std::string_view file) {
   Read<Settings> result;
-  const auto object = parseJson(text, file);
+  const auto object = parseVersioned(text, kSettingsKey, kSettingsVersion, file);
   if (!object) {
     result.problems.push_back(object.error());
-    return result;
-  }
-  if (const auto version = checkVersion(*object, kSettingsKey, kSettingsVersion, file); !version) {
-    result.problems.push_back(version.error());
     return result;
   }
   SettingsReader reader(result, file);

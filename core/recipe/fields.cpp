@@ -90,6 +90,12 @@ std::span<const NumberField> numberFields() {
   return kFields;
 }
 
+const NumberField& numberField(double Recipe::*member) {
+  const auto fields = numberFields();
+  return *std::find_if(fields.begin(), fields.end(),
+                       [member](const NumberField& field) { return field.member == member; });
+}
+
 std::span<const ChoiceField> choiceFields() {
   static const std::array kFields = {
       ChoiceField{"acceleration_rule",

@@ -59,6 +59,7 @@ struct FlagField {
 inline constexpr double kFarthestPlace = 100000; ///< mm
 
 [[nodiscard]] std::span<const NumberField> numberFields();
+[[nodiscard]] const NumberField& numberField(double Recipe::*member); ///< every number of the recipe has one
 [[nodiscard]] std::span<const ChoiceField> choiceFields();
 [[nodiscard]] std::span<const PlaceField> placeFields();
 [[nodiscard]] std::span<const ListField> listFields();

@@ -145,7 +145,7 @@ TEST(KilledProcess, LeavesAPointToResumeFromThatIsNeverOlderThanHalfASecond) {
       waitpid(child.process, nullptr, 0);
       const double executed = executedBy(child.pipe, job->machine.period);
       close(child.pipe);
-      const auto text = files::readFile(StateFolder{child.folder}.resumePoint());
+      const auto text = files::readFile(files::StateFolder{child.folder}.resumePoint());
       ASSERT_TRUE(text) << base::describe(text.error());
       const auto point = files::readResumePoint(*text, "resume.json");
       ASSERT_TRUE(point.problems.empty()) << base::describe(point.problems.front());

@@ -30,7 +30,7 @@ struct Alarm {
 /// What a machine is and where it keeps what its runs leave.
 struct MachineSetup {
   recipe::Machine machine;
-  control::StateFolder folder;
+  files::StateFolder folder;
   control::Pace pace = control::Pace::Real;                 ///< Simulated: as fast as it can, for tests
   PlannerSteps steps = plannerSteps();                      ///< by which a job that was broken off is planned again
   std::function<void(const control::Report&)> watcher = {}; ///< hears of every period, if anybody does
@@ -140,7 +140,7 @@ public:
   void complain(const base::Problem& problem);
 
   /// Where the machine keeps what its runs leave.
-  [[nodiscard]] const control::StateFolder& folder() const {
+  [[nodiscard]] const files::StateFolder& folder() const {
     return m_folder;
   }
 
@@ -225,7 +225,7 @@ private:
   void renewTimes();
   void tellChanges();
 
-  control::StateFolder m_folder;
+  files::StateFolder m_folder;
   control::Pace m_pace;
   recipe::Machine m_machine;
   control::SimulatedAxes* m_axes; ///< the station's

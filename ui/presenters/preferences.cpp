@@ -62,7 +62,7 @@ recipe::Recipe withinMachine(recipe::Recipe recipe, const recipe::Machine& machi
 
 } // namespace
 
-Preferences::Preferences(control::StateFolder folder, const recipe::Machine& machine, QObject* parent)
+Preferences::Preferences(files::StateFolder folder, const recipe::Machine& machine, QObject* parent)
     : QObject(parent), m_folder(std::move(folder)) {
   m_settings = readOr<files::Settings>(
       {}, m_folder.settings(),

@@ -17,7 +17,7 @@ class Preferences : public QObject {
 
 public:
   /// `machine`: what it is where no file says so.
-  explicit Preferences(control::StateFolder folder, const recipe::Machine& machine = {}, QObject* parent = nullptr);
+  explicit Preferences(files::StateFolder folder, const recipe::Machine& machine = {}, QObject* parent = nullptr);
 
   [[nodiscard]] const files::Settings& settings() const {
     return m_settings;
@@ -74,7 +74,7 @@ Q_SIGNALS:
 private:
   void write(const std::filesystem::path& file, const std::string& text);
 
-  control::StateFolder m_folder;
+  files::StateFolder m_folder;
   files::Settings m_settings;
   recipe::Machine m_machine;
   recipe::Machine m_nextMachine;

@@ -52,16 +52,7 @@ void ProfileFiles::exportPlanned(const PlanPointer& plan, const std::filesystem:
 }
 
 void ProfileFiles::exportRecord(const std::filesystem::path& record, const std::filesystem::path& file) {
-  write(file, [record, file]() -> base::Expected<void> {
-    base::Expected<void> read;
-    auto written = files::writeWholeFile(file, [&](files::Output& output) {
-      if (const auto result = files::writeProfile(record, output); !result) {
-        read = tl::unexpected(result.error());
-        output.abandon();
-      }
-    });
-    return read ? written : read;
-  });
+  write(file, [record, file] { return files::writeProfileFile(record, file); });
 }
 
 void ProfileFiles::write(const std::filesystem::path& file, const std::function<base::Expected<void>()>& produce) {

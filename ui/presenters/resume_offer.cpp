@@ -6,7 +6,7 @@
 
 namespace arris::ui {
 
-ResumeOffer::ResumeOffer(control::StateFolder folder, recipe::Machine machine, PlannerSteps steps, QObject* parent)
+ResumeOffer::ResumeOffer(files::StateFolder folder, recipe::Machine machine, PlannerSteps steps, QObject* parent)
     : QObject(parent), m_folder(std::move(folder)), m_machine(std::move(machine)), m_steps(std::move(steps)) {
   m_pool.setMaxThreadCount(1);
   control::FoundJob found = control::findBrokenJob(m_folder);

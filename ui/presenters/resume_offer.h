@@ -31,7 +31,7 @@ public:
   };
 
   /// Looks into the folder at once.
-  ResumeOffer(control::StateFolder folder, recipe::Machine machine, PlannerSteps steps, QObject* parent = nullptr);
+  ResumeOffer(files::StateFolder folder, recipe::Machine machine, PlannerSteps steps, QObject* parent = nullptr);
   ~ResumeOffer() override; ///< waits for the work under way
   ResumeOffer(const ResumeOffer&) = delete;
   ResumeOffer& operator=(const ResumeOffer&) = delete;
@@ -81,7 +81,7 @@ private:
   void take(const Outcome& outcome);
   void moveAside();
 
-  control::StateFolder m_folder;
+  files::StateFolder m_folder;
   recipe::Machine m_machine;
   PlannerSteps m_steps;
   State m_state = State::None;

@@ -24,7 +24,7 @@ files::ResumePoint triangleBroken() {
 
 TEST(BrokenJob, IsFoundWhereTheKeeperLeftIt) {
   const test::Scratch scratch;
-  const StateFolder folder{scratch / "state"};
+  const files::StateFolder folder{scratch / "state"};
   EXPECT_FALSE(findBrokenJob(folder).job);
   EXPECT_TRUE(findBrokenJob(folder).problems.empty());
   std::filesystem::create_directories(folder.root);
@@ -46,7 +46,7 @@ TEST(BrokenJob, OfAnOlderPointHasTheOriginZero) {
 
 TEST(BrokenJob, ThatIsDamagedIsTold) {
   const test::Scratch scratch;
-  const StateFolder folder{scratch / "state"};
+  const files::StateFolder folder{scratch / "state"};
   std::filesystem::create_directories(folder.root);
   std::ofstream(folder.resumePoint()) << "{ half";
   const FoundJob found = findBrokenJob(folder);

@@ -23,7 +23,7 @@ protected:
   }
 
   test::Scratch m_scratch;
-  control::StateFolder m_folder{m_scratch / "state"};
+  files::StateFolder m_folder{m_scratch / "state"};
 };
 
 TEST_F(PreferencesTest, AreThereAgainTheNextTime) {

@@ -19,7 +19,7 @@ namespace {
 using control::JobState;
 using Offer = ResumeOffer::State;
 
-control::StateFolder folderIn(const test::Scratch& scratch) {
+files::StateFolder folderIn(const test::Scratch& scratch) {
   return {scratch / "state"};
 }
 

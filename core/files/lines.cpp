@@ -1,4 +1,4 @@
-#include "core/files/append_line.h"
+#include "core/files/lines.h"
 
 #include "core/files/descriptor.h"
 #include "core/files/whole_file.h"
