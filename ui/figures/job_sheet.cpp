@@ -184,7 +184,7 @@ SheetPart SheetMaker::listOf(const QString& title, const std::vector<NamedValue>
 std::vector<NamedValue> SheetMaker::recipe() const {
   std::vector<NamedValue> values;
   for (const recipe::NumberField& field : recipe::numberFields()) {
-    const QString unit = QString::fromUtf8(field.unit.data(), static_cast<qsizetype>(field.unit.size()));
+    const QString unit = toQString(field.unit);
     const QString space = unit == QStringLiteral("°") ? QString() : QString(QChar::Nbsp);
     values.push_back({fieldText(field), number(m_job.recipe.*field.member) + space + unit});
   }

@@ -18,7 +18,6 @@ constexpr double kMarginLeft = 130;
 constexpr double kMarginBelow = 92;
 constexpr double kMarginElse = 22;
 constexpr double kPathTick = 8;
-constexpr double kPathPadding = 8;
 constexpr double kPlaceRadius = 6;
 constexpr double kNameAway = 34;
 constexpr double kIndexShift = 9;
@@ -27,10 +26,8 @@ constexpr double kPathFlatness = 0.3;
 
 constexpr double kBoxRoom = 0.12; // of the box, on each side
 constexpr double kLeastBox = 1;   // mm
-constexpr double kPathZoomStep = 1.5;
 constexpr double kStepsOfPass = 200;
 constexpr double kPathTapReach = 30; // px
-constexpr int kPathFocusFrame = 3;   // px, as the theme's
 constexpr int kPathWheelAlpha = 40;  // of 255
 constexpr int kLeastRimPoints = 60;
 constexpr int kMostRimPoints = 2000;
@@ -60,13 +57,7 @@ private:
 
 } // namespace
 
-PathPlot::PathPlot(const FigureStyle& style, QWidget* parent) : QCustomPlot(parent), m_style(style) {
-  QLocale locale(style.locale);
-  locale.setNumberOptions(QLocale::OmitGroupSeparator);
-  setLocale(locale);
-  setAntialiasedElements(QCP::aeAll);
-  setBackground(QBrush(style.palette.paper));
-  setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+PathPlot::PathPlot(const FigureStyle& style, QWidget* parent) : PointedPlot(style, parent) {
   axisRect()->setupFullAxesBox();
   axisRect()->setAutoMargins(QCP::msNone);
   const QMarginsF margins(kMarginLeft, kMarginElse, kMarginElse, kMarginBelow);
@@ -82,27 +73,12 @@ PathPlot::PathPlot(const FigureStyle& style, QWidget* parent) : QCustomPlot(pare
 }
 
 void PathPlot::prepareAxis(QCPAxis& axis) {
-  const bool isNamed = &axis == xAxis || &axis == yAxis;
-  axis.setBasePen(m_style.pen(m_style.palette.faint, kThinLine));
-  axis.setTickPen(m_style.pen(m_style.palette.faint, kThinLine));
-  axis.setTicks(isNamed);
-  axis.setSubTicks(false);
+  styleAxis(axis);
+  axis.setTicks(&axis == xAxis || &axis == yAxis);
   axis.setTickLength(0, static_cast<int>(kPathTick * m_style.unit));
-  axis.setTickLabelFont(m_style.font(kSmallTextHeight));
-  axis.setTickLabelColor(m_style.palette.ink);
-  axis.setTickLabelPadding(static_cast<int>(kPathPadding * m_style.unit));
-  axis.setLabelFont(m_style.font(kSmallTextHeight));
-  axis.setLabelColor(m_style.palette.ink);
-  axis.setLabelPadding(static_cast<int>(kPathPadding * m_style.unit));
   axis.setNumberFormat(QStringLiteral("gb"));
   axis.setNumberPrecision(6);
-  axis.grid()->setPen(m_style.pen(m_style.palette.grid, kThinLine));
   axis.grid()->setZeroLinePen(Qt::NoPen);
-}
-
-// In the unit that is shown.
-double PathPlot::shown(double millimetres) const {
-  return shownLength(millimetres, m_style.lengths);
 }
 
 void PathPlot::setProfiles(const std::vector<ProfileCurves>& profiles, PathSetting setting,
@@ -223,39 +199,16 @@ void PathPlot::zoomBy(double factor) {
   refresh();
 }
 
-void PathPlot::zoomIn() {
-  zoomBy(kPathZoomStep);
-}
-
-void PathPlot::zoomOut() {
-  zoomBy(1 / kPathZoomStep);
-}
-
-void PathPlot::markInstant(std::optional<double> time) {
-  m_instant = time;
-  if (isVisible()) {
-    layer(QStringLiteral("overlay"))->replot();
-  }
-}
-
-// Hidden, the plot has no size to be drawn at.
-void PathPlot::refresh() {
-  if (isVisible()) {
-    replot(rpQueuedReplot);
-  }
-}
-
 void PathPlot::showEvent(QShowEvent* event) {
-  QCustomPlot::showEvent(event);
   layOut();
-  refresh();
+  PointedPlot::showEvent(event);
 }
 
 void PathPlot::resizeEvent(QResizeEvent* event) {
   if (!event->size().isEmpty()) {
     setViewport(QRect(QPoint(), event->size()));
     layOut();
-    QCustomPlot::resizeEvent(event);
+    PointedPlot::resizeEvent(event);
   }
 }
 
@@ -436,8 +389,8 @@ void PathPlot::pointAt(const QPointF& place) {
 }
 
 void PathPlot::mouseReleaseEvent(QMouseEvent* event) {
-  QCustomPlot::mouseReleaseEvent(event);
-  if ((event->pos() - mMousePressPos).manhattanLength() >= QApplication::startDragDistance()) {
+  PointedPlot::mouseReleaseEvent(event);
+  if (!isTap(*event)) {
     m_box.reset();
     return;
   }
@@ -453,40 +406,7 @@ void PathPlot::mouseReleaseEvent(QMouseEvent* event) {
 
 void PathPlot::wheelEvent(QWheelEvent* event) {
   m_box.reset();
-  QCustomPlot::wheelEvent(event);
-}
-
-void PathPlot::keyPressEvent(QKeyEvent* event) {
-  switch (event->key()) {
-  case Qt::Key_Left:
-    pointBeside(-1);
-    break;
-  case Qt::Key_Right:
-    pointBeside(1);
-    break;
-  case Qt::Key_Plus:
-    zoomIn();
-    break;
-  case Qt::Key_Minus:
-    zoomOut();
-    break;
-  case Qt::Key_Home:
-    showWork();
-    break;
-  default:
-    QCustomPlot::keyPressEvent(event);
-  }
-}
-
-// With the frame of what has the focus.
-void PathPlot::paintEvent(QPaintEvent* event) {
-  QCustomPlot::paintEvent(event);
-  if (hasFocus()) {
-    QPainter painter(this);
-    painter.setPen(QPen(m_style.palette.ink, kPathFocusFrame));
-    const int half = kPathFocusFrame / 2;
-    painter.drawRect(rect().adjusted(half, half, -half - 1, -half - 1));
-  }
+  PointedPlot::wheelEvent(event);
 }
 
 } // namespace arris::ui

@@ -1,10 +1,8 @@
 #pragma once
 
 #include "ui/figures/corner_labels.h"
+#include "ui/figures/pointed_plot.h"
 #include "ui/figures/profile_path.h"
-#include "ui/figures/style.h"
-
-#include <qcustomplot.h>
 
 #include <optional>
 #include <vector>
@@ -13,9 +11,8 @@ namespace arris::ui {
 
 /// The way of the wheel's centre in the plane, both axes in one scale: the glass, the planned way and the actual one
 /// over it, the places of the method at a corner, and the wheel at the time that is pointed at; after the paper's
-/// Figure 9a. The window shows it, figures are printed from it. Drag to pan, wheel or keys to zoom; with the focus,
-/// arrows move the time that is pointed at, plus and minus zoom, and Home shows everything.
-class PathPlot : public QCustomPlot {
+/// Figure 9a. The window shows it, figures are printed from it. Drag to pan, wheel or keys to zoom.
+class PathPlot : public PointedPlot {
   Q_OBJECT
 
 public:
@@ -28,46 +25,31 @@ public:
 
   /// Shows what a pass of a corner takes, with the places of its method.
   void showPass(const CornerPass& pass);
-  /// Names a corner's places, without moving to it; 0 for none.
-  void selectCorner(int corner);
+  void selectCorner(int corner) override; ///< names its places
   /// What the wheel goes along, and the table with what its centre reaches.
-  void showWork();
-  void showAll();
+  void showWork() override;
+  void showAll() override;
   /// The box and nothing round it but what the shape of the plot asks for.
   void showExactly(const QRectF& box); ///< mm
   /// What of the plane is shown, mm.
   [[nodiscard]] QRectF shownBox() const;
-  void zoomIn();
-  void zoomOut();
-
-  /// The wheel at this time; none without one.
-  void markInstant(std::optional<double> time);
 
   /// Lays everything out for paper of this size.
   void prepareForPrint(const QSize& size);
 
-Q_SIGNALS:
-  /// A corner's number was tapped.
-  void cornerTapped(int corner);
-  /// A place of the way was tapped, or arrows moved along it: its time, s.
-  void instantPointed(double time);
-
 protected:
   void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
-  void paintEvent(QPaintEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void zoomBy(double factor) override;
+  void pointBeside(int steps) override;
 
 private:
-  void refresh();
   void prepareAxis(QCPAxis& axis);
   void layOut();
   void showBox(const QRectF& box);
   void fitBox();
-  void zoomBy(double factor);
-  void pointBeside(int steps);
   void pointAt(const QPointF& place);
   void paintWay(QCPPainter& painter);
   void paintPath(QCPPainter& painter, const std::vector<PathPiece>& path, bool under) const;
@@ -77,9 +59,7 @@ private:
   void paintWheels(QCPPainter& painter) const;
   [[nodiscard]] const CornerPlaces* placesOfSelected() const;
   [[nodiscard]] QTransform toDevice() const;
-  [[nodiscard]] double shown(double millimetres) const;
 
-  FigureStyle m_style;
   std::vector<ProfileCurves> m_profiles;
   std::vector<std::vector<PathPiece>> m_paths; // of each profile
   PathSetting m_setting;
@@ -87,7 +67,6 @@ private:
   std::optional<double> m_wheelRadius;
   std::vector<CornerLabel> m_labels;
   int m_selected = 0;
-  std::optional<double> m_instant;
   double m_step = 0.1;         // s, of an arrow
   double m_room = 0;           // round the box, of its size
   std::optional<QRectF> m_box; // mm, until somebody zooms or pans

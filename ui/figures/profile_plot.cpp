@@ -17,9 +17,7 @@ constexpr double kTimeAxisHeight = 82;
 constexpr double kPanelHeightForWords = 215;
 constexpr double kLeastPanelHeight = 76;
 constexpr double kTickLength = 8;
-constexpr double kLabelPadding = 8;
 constexpr double kOverlaidLine = 8;
-constexpr double kProfileZoomStep = 1.5;
 constexpr double kPrintTolerance = 0.2;
 
 // Values of the right-hand axis nearer than this share of it would stand on each other.
@@ -81,14 +79,7 @@ void addTick(QCPAxis* axis, double value, const QString& words) {
 
 } // namespace
 
-ProfilePlot::ProfilePlot(const FigureStyle& style, PlotContent content, QWidget* parent)
-    : QCustomPlot(parent), m_style(style) {
-  QLocale locale(style.locale);
-  locale.setNumberOptions(QLocale::OmitGroupSeparator);
-  setLocale(locale);
-  setAntialiasedElements(QCP::aeAll);
-  setBackground(QBrush(style.palette.paper));
-  setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+ProfilePlot::ProfilePlot(const FigureStyle& style, PlotContent content, QWidget* parent) : PointedPlot(style, parent) {
   plotLayout()->clear();
   plotLayout()->setRowSpacing(0);
   auto* margins = new QCPMarginGroup(this);
@@ -125,18 +116,9 @@ void ProfilePlot::addPanel(Panel panel, bool last) {
   rect->setRangeDrag(Qt::Horizontal);
   rect->setRangeZoom(Qt::Horizontal);
   for (QCPAxis* axis : rect->axes()) {
-    axis->setBasePen(m_style.pen(m_style.palette.faint, kThinLine));
-    axis->setTickPen(m_style.pen(m_style.palette.faint, kThinLine));
-    axis->setSubTicks(false);
+    styleAxis(*axis);
     axis->setTickLengthIn(0);
     axis->setTickLengthOut(0);
-    axis->setTickLabelFont(m_style.font(kSmallTextHeight));
-    axis->setTickLabelColor(m_style.palette.ink);
-    axis->setTickLabelPadding(static_cast<int>(kLabelPadding * unit));
-    axis->setLabelFont(m_style.font(kSmallTextHeight));
-    axis->setLabelColor(m_style.palette.ink);
-    axis->setLabelPadding(static_cast<int>(kLabelPadding * unit));
-    axis->grid()->setPen(m_style.pen(m_style.palette.grid, kThinLine));
     axis->grid()->setZeroLinePen(m_style.pen(m_style.palette.faint, kThinLine));
     axis->setNumberFormat(QStringLiteral("g"));
     axis->setLayer(QStringLiteral("axes"));
@@ -258,11 +240,6 @@ void ProfilePlot::addCurve(PanelParts& panel, const ProfileCurves& curves, bool 
   graph->setPen(under ? overlaidPen(m_style, colorOf(panel.kind)) : m_style.pen(colorOf(panel.kind), kLine + 0.5));
   graph->data()->set(asGraphData(curveOf(curves, panel.kind), shown(1)), true);
   panel.graphs.push_back(graph);
-}
-
-// In the unit that is shown.
-double ProfilePlot::shown(double millimetres) const {
-  return shownLength(millimetres, m_style.lengths);
 }
 
 void ProfilePlot::setRange(const PanelParts& panel, const std::vector<ProfileCurves>& profiles,
@@ -415,22 +392,10 @@ void ProfilePlot::showAll() {
   showTimes(0, m_duration);
 }
 
-// Hidden, the plot has no size to be drawn at.
-void ProfilePlot::refresh() {
-  if (isVisible()) {
-    replot(rpQueuedReplot);
-  }
-}
-
-void ProfilePlot::showEvent(QShowEvent* event) {
-  QCustomPlot::showEvent(event);
-  refresh();
-}
-
 void ProfilePlot::resizeEvent(QResizeEvent* event) {
   if (!event->size().isEmpty()) { // as a hidden part of a splitter it has no size to be drawn at
     setAxisTitles(event->size().height() - m_bands->labelHeight());
-    QCustomPlot::resizeEvent(event);
+    PointedPlot::resizeEvent(event);
   }
 }
 
@@ -438,14 +403,6 @@ void ProfilePlot::zoomBy(double factor) {
   QCPAxis* time = m_panels.front().rect->axis(QCPAxis::atBottom);
   time->scaleRange(1 / factor);
   refresh();
-}
-
-void ProfilePlot::zoomIn() {
-  zoomBy(kProfileZoomStep);
-}
-
-void ProfilePlot::zoomOut() {
-  zoomBy(1 / kProfileZoomStep);
 }
 
 void ProfilePlot::prepareForPrint(const QSize& size) {

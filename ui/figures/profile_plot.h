@@ -1,9 +1,7 @@
 #pragma once
 
+#include "ui/figures/pointed_plot.h"
 #include "ui/figures/profile.h"
-#include "ui/figures/style.h"
-
-#include <qcustomplot.h>
 
 #include <optional>
 #include <utility>
@@ -19,8 +17,7 @@ inline constexpr double kPlotUnit = 0.5;
 /// Velocity and acceleration of X and Y, path speed and distance to the corner (or the positions of X and Y) over one
 /// time axis, with the corners marked and the limits drawn; after the paper's Figures 8, 9 and 10. The window shows it,
 /// figures are printed from it.
-/// With the focus, arrows move the time that is pointed at, plus and minus zoom, and Home shows the work.
-class ProfilePlot : public QCustomPlot {
+class ProfilePlot : public PointedPlot {
   Q_OBJECT
 
 public:
@@ -30,17 +27,13 @@ public:
   /// range as it is; else the work fills the plot.
   void setProfiles(const std::vector<ProfileCurves>& profiles, const ProfileLimits& limits, bool keepView = false);
 
-  void selectCorner(int corner);
+  void selectCorner(int corner) override;
   void showTimes(double from, double to);
   /// The times that are shown, s.
   [[nodiscard]] std::pair<double, double> shownTimes() const;
-  void showWork();
-  void showAll();
-  void zoomIn();
-  void zoomOut();
-
-  /// A line through all panels at this time; none without one.
-  void markInstant(std::optional<double> time);
+  void showWork() override;
+  void showAll() override;
+  void markInstant(std::optional<double> time) override; ///< a line through all panels
 
   /// What a panel shows and its unit on a second line, in words or as a symbol.
   [[nodiscard]] static QString axisTitle(Panel panel, bool inWords, LengthUnit unit);
@@ -48,19 +41,12 @@ public:
   /// Reduces the curves to what shows on paper at this size, and cuts off what lies outside the panels.
   void prepareForPrint(const QSize& size);
 
-Q_SIGNALS:
-  /// A corner's band was tapped.
-  void cornerTapped(int corner);
-  /// A time was tapped, the mouse hovers over it, or arrows moved there.
-  void instantPointed(double time);
-
 protected:
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
-  void paintEvent(QPaintEvent* event) override;
-  void showEvent(QShowEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void zoomBy(double factor) override;
+  void pointBeside(int steps) override;
 
 private:
   [[nodiscard]] static QString titleInMillimetres(Panel panel, bool inWords);
@@ -72,12 +58,9 @@ private:
     QCPItemStraightLine* instant = nullptr;
   };
 
-  void refresh();
-  void zoomBy(double factor);
   void addPanel(Panel panel, bool last);
   void addInstant(PanelParts& panel);
   void pointAt(double x);
-  void pointBeside(int steps);
   void addSpace(int row, int height);
   void setTimes(const std::vector<ProfileCurves>& profiles);
   void addCurve(PanelParts& panel, const ProfileCurves& curves, bool under);
@@ -87,14 +70,11 @@ private:
   void addLimitLine(PanelParts& panel, double value, const QString& words);
   void addReliefLimits(PanelParts& panel, const ProfileLimits& limits);
   void setAxisTitles(double height);
-  [[nodiscard]] double shown(double millimetres) const;
   [[nodiscard]] QColor colorOf(Panel panel) const;
 
-  FigureStyle m_style;
   std::vector<PanelParts> m_panels; // from top to bottom
   CornerBands* m_bands = nullptr;
   std::vector<CornerBand> m_cornerBands;
-  std::optional<double> m_instant;
   double m_workFrom = 0, m_workTo = 1, m_duration = 1;
 };
 

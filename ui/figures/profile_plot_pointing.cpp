@@ -9,7 +9,6 @@ namespace arris::ui {
 namespace {
 
 constexpr double kArrowSteps = 200; // from one end of the time that is shown to the other
-constexpr int kFocusFrame = 3;      // px, as the theme's
 
 } // namespace
 
@@ -29,15 +28,12 @@ void ProfilePlot::addInstant(PanelParts& panel) {
 }
 
 void ProfilePlot::markInstant(std::optional<double> time) {
-  m_instant = time;
   for (const PanelParts& panel : m_panels) {
     panel.instant->setVisible(time.has_value());
     panel.instant->point1->setCoords(time.value_or(0), 0);
     panel.instant->point2->setCoords(time.value_or(0), 1);
   }
-  if (isVisible()) {
-    layer(QStringLiteral("overlay"))->replot();
-  }
+  PointedPlot::markInstant(time);
 }
 
 void ProfilePlot::pointAt(double x) {
@@ -53,48 +49,16 @@ void ProfilePlot::pointBeside(int steps) {
   Q_EMIT instantPointed(std::clamp(from + steps * shown.size() / kArrowSteps, shown.lower, shown.upper));
 }
 
-void ProfilePlot::keyPressEvent(QKeyEvent* event) {
-  switch (event->key()) {
-  case Qt::Key_Left:
-    pointBeside(-1);
-    break;
-  case Qt::Key_Right:
-    pointBeside(1);
-    break;
-  case Qt::Key_Plus:
-    zoomIn();
-    break;
-  case Qt::Key_Minus:
-    zoomOut();
-    break;
-  case Qt::Key_Home:
-    showWork();
-    break;
-  default:
-    QCustomPlot::keyPressEvent(event);
-  }
-}
-
-// With the frame of what has the focus.
-void ProfilePlot::paintEvent(QPaintEvent* event) {
-  QCustomPlot::paintEvent(event);
-  if (hasFocus()) {
-    QPainter painter(this);
-    painter.setPen(QPen(m_style.palette.ink, kFocusFrame));
-    painter.drawRect(rect().adjusted(kFocusFrame / 2, kFocusFrame / 2, -kFocusFrame / 2 - 1, -kFocusFrame / 2 - 1));
-  }
-}
-
 void ProfilePlot::mouseMoveEvent(QMouseEvent* event) {
-  QCustomPlot::mouseMoveEvent(event);
+  PointedPlot::mouseMoveEvent(event);
   if (event->buttons() == Qt::NoButton) {
     pointAt(event->position().x());
   }
 }
 
 void ProfilePlot::mouseReleaseEvent(QMouseEvent* event) {
-  QCustomPlot::mouseReleaseEvent(event);
-  const bool tapped = (event->pos() - mMousePressPos).manhattanLength() < QApplication::startDragDistance();
+  PointedPlot::mouseReleaseEvent(event);
+  const bool tapped = isTap(*event);
   const double time = m_panels.front().rect->axis(QCPAxis::atBottom)->pixelToCoord(event->position().x());
   if (tapped) {
     pointAt(event->position().x());

@@ -3,10 +3,10 @@
 #include "ui/models/signal_model.h"
 #include "ui/text/problem_texts.h"
 #include "ui/widgets/busy_bar.h"
+#include "ui/widgets/file_question.h"
 #include "ui/widgets/signal_table.h"
 #include "ui/widgets/signs.h"
 
-#include <QFileDialog>
 #include <QGroupBox>
 #include <QLabel>
 #include <QPushButton>
@@ -17,11 +17,6 @@ namespace {
 
 constexpr int kBackUpSign = 24; // px
 constexpr int kMessageLines = 5;
-
-// A path may break after each of its folders: it has no spaces.
-QString breakableAtFolders(QString text) {
-  return text.replace(QLatin1Char('/'), QStringLiteral("/\u200b"));
-}
 
 } // namespace
 
@@ -135,30 +130,27 @@ void BackUpPanel::showState() {
   m_giveUp->setEnabled(isAsked && !isBusy);
 }
 
-std::optional<std::filesystem::path> BackUpPanel::askWhere(const QString& title, const QString& name) {
-  const QString file =
-      QFileDialog::getSaveFileName(this, title, m_backUps.suggested(name), tr("Archives (*.tar.gz);;All files (*)"));
-  return file.isEmpty() ? std::nullopt : std::optional(std::filesystem::path(file.toStdString()));
+void BackUpPanel::askWhere(const QString& title, const QString& name,
+                           void (BackUps::*save)(const std::filesystem::path& file)) {
+  askForFile(*this, {title, m_backUps.suggested(name), filters(), true},
+             [this, save](const std::filesystem::path& file) { (m_backUps.*save)(file); });
 }
 
 void BackUpPanel::askForBackUp() {
-  if (const auto file = askWhere(tr("Back up"), QStringLiteral("arris-back-up"))) {
-    m_backUps.saveBackUp(*file);
-  }
+  askWhere(tr("Back up"), QStringLiteral("arris-back-up"), &BackUps::saveBackUp);
 }
 
 void BackUpPanel::askForSupport() {
-  if (const auto file = askWhere(tr("Support bundle"), QStringLiteral("arris-support"))) {
-    m_backUps.saveSupportBundle(*file);
-  }
+  askWhere(tr("Support bundle"), QStringLiteral("arris-support"), &BackUps::saveSupportBundle);
 }
 
 void BackUpPanel::askForRestore() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Restore a back-up"), m_backUps.folder(),
-                                                    tr("Archives (*.tar.gz);;All files (*)"));
-  if (!file.isEmpty()) {
-    m_backUps.open(file.toStdString());
-  }
+  askForFile(*this, {tr("Restore a back-up"), m_backUps.folder(), filters()},
+             [this](const std::filesystem::path& file) { m_backUps.open(file); });
+}
+
+QStringList BackUpPanel::filters() {
+  return tr("Archives (*.tar.gz);;All files (*)").split(QStringLiteral(";;"));
 }
 
 } // namespace arris::ui

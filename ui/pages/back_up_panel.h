@@ -34,7 +34,8 @@ private:
   void askForBackUp();
   void askForRestore();
   void askForSupport();
-  std::optional<std::filesystem::path> askWhere(const QString& title, const QString& name);
+  void askWhere(const QString& title, const QString& name, void (BackUps::*save)(const std::filesystem::path& file));
+  [[nodiscard]] static QStringList filters();
 
   MachineLink& m_machine;
   BackUps& m_backUps;

@@ -7,13 +7,13 @@
 #include "ui/figures/profile_plot.h"
 #include "ui/text/problem_texts.h"
 #include "ui/widgets/busy_bar.h"
+#include "ui/widgets/file_question.h"
 #include "ui/widgets/instant_values.h"
 #include "ui/widgets/signs.h"
 
 #include <QBoxLayout>
 #include <QButtonGroup>
 #include <QDateTime>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QStackedWidget>
@@ -29,11 +29,6 @@ constexpr double kRoomAtCorner = 0.1; // of its time, before and after
 
 QString nameOfFile(const std::filesystem::path& file) {
   return QString::fromStdString(file.filename().string());
-}
-
-// A path may break after each of its folders: it has no spaces.
-QString breakable(QString text) {
-  return text.replace(QLatin1Char('/'), QStringLiteral("/\u200b"));
 }
 
 } // namespace
@@ -122,32 +117,27 @@ QWidget* ProfilesPage::makeViewButtons() {
   QToolButton* next =
       addButton(*layout, QStringLiteral("▶"), "profilesNextCorner", tr("Next corner"), [this] { goToNextCorner(1); });
   layout->addSpacing(8);
-  const auto addView = [&](const QString& text, const char* name, const QString& what, void (ProfilePlot::*overTime)(),
-                           void (PathPlot::*inPlane)()) {
-    m_forProfiles.push_back(addButton(*layout, text, name, what, [this, overTime, inPlane] {
-      content() == Path ? (m_path->*inPlane)() : (timePlot().*overTime)();
-    }));
+  const auto addView = [&](const QString& text, const char* name, const QString& what, void (PointedPlot::*act)()) {
+    m_forProfiles.push_back(addButton(*layout, text, name, what, [this, act] { (plot()->*act)(); }));
   };
-  addView(QStringLiteral("−"), "profilesZoomOut", tr("Zoom out"), &ProfilePlot::zoomOut, &PathPlot::zoomOut);
-  addView(QStringLiteral("+"), "profilesZoomIn", tr("Zoom in"), &ProfilePlot::zoomIn, &PathPlot::zoomIn);
-  addView(tr("Work"), "profilesWork", tr("From the first lead-in to the last lead-out"), &ProfilePlot::showWork,
-          &PathPlot::showWork);
+  addView(QStringLiteral("−"), "profilesZoomOut", tr("Zoom out"), &PointedPlot::zoomOut);
+  addView(QStringLiteral("+"), "profilesZoomIn", tr("Zoom in"), &PointedPlot::zoomIn);
+  addView(tr("Work"), "profilesWork", tr("From the first lead-in to the last lead-out"), &PointedPlot::showWork);
   addView(tr("All"), "profilesAll", tr("From the start of the program to its end; of the path: all of the travel"),
-          &ProfilePlot::showAll, &PathPlot::showAll);
+          &PointedPlot::showAll);
   m_forCorners = {previous, next};
   return row;
 }
 
 QWidget* ProfilesPage::makePlots() {
-  for (ProfilePlot* plot : {m_speeds, m_positions}) {
+  for (PointedPlot* plot : plots()) {
     m_plots->addWidget(plot);
     plot->setFocusPolicy(Qt::StrongFocus);
-    connect(plot, &ProfilePlot::instantPointed, this, &ProfilesPage::pointAt);
-    connect(plot, &ProfilePlot::cornerTapped, this, &ProfilesPage::selectCorner);
+    connect(plot, &PointedPlot::instantPointed, this, &ProfilesPage::pointAt);
   }
-  m_plots->addWidget(m_path);
-  m_path->setFocusPolicy(Qt::StrongFocus);
-  connect(m_path, &PathPlot::instantPointed, this, &ProfilesPage::pointAt);
+  for (const ProfilePlot* plot : {m_speeds, m_positions}) {
+    connect(plot, &PointedPlot::cornerTapped, this, &ProfilesPage::selectCorner);
+  }
   connect(m_path, &PathPlot::cornerTapped, this, [this](int corner) {
     const auto pass = std::find_if(m_passes.begin(), m_passes.end(),
                                    [corner](const CornerPass& candidate) { return candidate.corner == corner; });
@@ -227,6 +217,20 @@ ProfilesPage::Content ProfilesPage::content() const {
   return static_cast<Content>(m_contents->checkedId());
 }
 
+std::array<PointedPlot*, ProfilesPage::ContentCount> ProfilesPage::plots() const {
+  return {m_speeds, m_positions, m_path};
+}
+
+PointedPlot* ProfilesPage::plot() const {
+  return plots().at(content());
+}
+
+void ProfilesPage::markCorner(int corner) {
+  for (PointedPlot* plot : plots()) {
+    plot->selectCorner(corner);
+  }
+}
+
 ProfilePlot& ProfilesPage::timePlot() const {
   return content() == Positions ? *m_positions : *m_speeds;
 }
@@ -255,9 +259,7 @@ void ProfilesPage::showProfiles(View view) {
   }
   feed();
   if (anew) {
-    m_speeds->selectCorner(0);
-    m_positions->selectCorner(0);
-    m_path->selectCorner(0);
+    markCorner(0);
   }
   pointAt(m_shown.empty() ? std::nullopt : m_instant);
   showState();
@@ -309,15 +311,15 @@ void ProfilesPage::showState() {
   const CurvesPointer opened = actual();
   std::optional<base::Severity> sign;
   if (m_problem) {
-    m_state->setText(
-        breakable(tr("%1 %2").arg(problemText(*m_problem, QLocale()), placeText(*m_problem, QLocale())).trimmed()));
+    m_state->setText(breakableAtFolders(
+        tr("%1 %2").arg(problemText(*m_problem, QLocale()), placeText(*m_problem, QLocale())).trimmed()));
     sign = base::Severity::Error;
   } else if (m_files.isBusy()) {
     m_state->setText(tr("Reading or writing…"));
   } else if (m_saved) {
     m_state->setText(tr("Saved: %1").arg(nameOfFile(*m_saved)));
   } else if (opened && !m_files.lastOpened()->damage.empty()) {
-    m_state->setText(breakable(problemText(m_files.lastOpened()->damage.front(), QLocale())));
+    m_state->setText(breakableAtFolders(problemText(m_files.lastOpened()->damage.front(), QLocale())));
     sign = base::Severity::Warning;
   } else if (m_shown.size() > 1) {
     m_state->setText(tr("%1, drawn thin over the plan, which is wide and pale").arg(opened->name));
@@ -423,48 +425,33 @@ void ProfilesPage::tellProblem(const base::Problem& problem) {
 }
 
 void ProfilesPage::askForFile() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Open profile or record"), m_folder,
-                                                    tr("Records and profiles (*.arrisrun *.csv *.CSV);;All files (*)"));
-  if (!file.isEmpty()) {
-    openFile(file.toStdString());
-  }
+  ui::askForFile(*this,
+                 {tr("Open profile or record"), m_folder,
+                  tr("Records and profiles (*.arrisrun *.csv *.CSV);;All files (*)").split(QStringLiteral(";;"))},
+                 [this](const std::filesystem::path& file) { openFile(file); });
 }
 
-std::optional<std::filesystem::path> ProfilesPage::askWhere(const QString& title, const QStringList& filters) {
-  const auto endingOf = [](const QString& filter) { return filter.section(QLatin1Char('.'), -1).chopped(1); };
-  QFileDialog dialog(this, title, m_folder);
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setNameFilters(filters);
-  dialog.setDefaultSuffix(endingOf(filters.front()));
-  connect(&dialog, &QFileDialog::filterSelected, &dialog,
-          [&dialog, endingOf](const QString& filter) { dialog.setDefaultSuffix(endingOf(filter)); });
-  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) {
-    return std::nullopt;
-  }
-  m_folder = dialog.directory().absolutePath();
-  return dialog.selectedFiles().front().toStdString();
+void ProfilesPage::askWhere(const QString& title, const QStringList& filters,
+                            void (ProfilesPage::*save)(const std::filesystem::path& file)) {
+  ui::askForFile(*this, {title, m_folder, filters, true}, [this, save](const std::filesystem::path& file) {
+    m_folder = QFileInfo(QString::fromStdString(file.string())).absolutePath();
+    (this->*save)(file);
+  });
 }
 
 void ProfilesPage::askForPicture() {
-  const auto file = askWhere(tr("Save picture"), {QStringLiteral("SVG (*.svg)"), QStringLiteral("PNG (*.png)"),
-                                                  QStringLiteral("PDF (*.pdf)")});
-  if (file) {
-    savePicture(*file);
-  }
+  askWhere(tr("Save picture"),
+           {QStringLiteral("SVG (*.svg)"), QStringLiteral("PNG (*.png)"), QStringLiteral("PDF (*.pdf)")},
+           &ProfilesPage::savePicture);
 }
 
 void ProfilesPage::askForProfile() {
-  const QString title =
-      m_openIsRecord ? tr("Save the profile of the run %1").arg(actual()->name) : tr("Save the planned profile");
-  if (const auto file = askWhere(title, {QStringLiteral("CSV (*.csv)")})) {
-    saveProfile(*file);
-  }
+  askWhere(m_openIsRecord ? tr("Save the profile of the run %1").arg(actual()->name) : tr("Save the planned profile"),
+           {QStringLiteral("CSV (*.csv)")}, &ProfilesPage::saveProfile);
 }
 
 void ProfilesPage::askForJobSheet() {
-  if (const auto file = askWhere(tr("Save job sheet"), {QStringLiteral("PDF (*.pdf)")})) {
-    saveJobSheet(*file);
-  }
+  askWhere(tr("Save job sheet"), {QStringLiteral("PDF (*.pdf)")}, &ProfilesPage::saveJobSheet);
 }
 
 // From the last corner on to the first again.
@@ -504,17 +491,15 @@ void ProfilesPage::selectCorner(int corner) {
   });
   if (pass != m_passes.end()) {
     m_pass = static_cast<std::size_t>(pass - m_passes.begin());
-    m_speeds->selectCorner(corner);
-    m_positions->selectCorner(corner);
-    m_path->selectCorner(corner);
+    markCorner(corner);
   }
 }
 
 void ProfilesPage::pointAt(std::optional<double> time) {
   m_instant = time;
-  m_speeds->markInstant(time);
-  m_positions->markInstant(time);
-  m_path->markInstant(time);
+  for (PointedPlot* plot : plots()) {
+    plot->markInstant(time);
+  }
   m_values->showValues(m_shown, time);
 }
 

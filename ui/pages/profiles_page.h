@@ -24,6 +24,7 @@ namespace arris::ui {
 class BusyBar;
 class InstantValues;
 class PathPlot;
+class PointedPlot;
 class ProfilePlot;
 
 /// The profile of the planned job, or an exported profile or the record of a run over it, with the values at the time
@@ -78,19 +79,23 @@ private:
   void showEnabled();
   void showPlanned();
   void askForFile();
-  std::optional<std::filesystem::path> askWhere(const QString& title, const QStringList& filters);
+  void askWhere(const QString& title, const QStringList& filters,
+                void (ProfilesPage::*save)(const std::filesystem::path& file));
   void askForPicture();
   void askForProfile();
   void askForJobSheet();
   void goToNextCorner(int step);
   void goToPass(std::size_t at);
   void selectCorner(int corner);
+  void markCorner(int corner);
   void pointAt(std::optional<double> time);
   void beginSaving();
   void tellProblem(const base::Problem& problem);
   [[nodiscard]] Content content() const;
-  [[nodiscard]] ProfilePlot& timePlot() const; ///< of the content, where it is over time
-  [[nodiscard]] CurvesPointer actual() const;  ///< of the open file; null without one
+  [[nodiscard]] std::array<PointedPlot*, ContentCount> plots() const; ///< in the order of the contents
+  [[nodiscard]] PointedPlot* plot() const;                            ///< of the content
+  [[nodiscard]] ProfilePlot& timePlot() const;                        ///< of the content, where it is over time
+  [[nodiscard]] CurvesPointer actual() const;                         ///< of the open file; null without one
   [[nodiscard]] ProfileLimits limits() const;
   [[nodiscard]] Figure picture() const;
 
