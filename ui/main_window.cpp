@@ -11,6 +11,7 @@
 #include "ui/text/translators.h"
 #include "ui/widgets/alarm_banner.h"
 #include "ui/widgets/control_strip.h"
+#include "ui/widgets/file_question.h"
 #include "ui/widgets/keypad.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/wipe_cover.h"
@@ -18,10 +19,8 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
-#include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -35,6 +34,11 @@ namespace {
 QString droppedFile(const QMimeData& data) {
   const QList<QUrl> urls = data.urls();
   return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
+}
+
+MachineSetup on(const recipe::Machine& machine, MachineSetup setup) {
+  setup.machine = machine;
+  return setup;
 }
 
 constexpr int kKeepRecipeAfter = 2000; // ms without a change
@@ -54,8 +58,8 @@ void showWith(const files::Settings& settings) {
 
 MainWindow::MainWindow(const MachineSetup& setup, PlannerSteps steps, QWidget* parent)
     : QMainWindow(parent), m_preferences(setup.folder, setup.machine),
-      m_planner(m_preferences.machine(), std::move(steps)),
-      m_machine({m_preferences.machine(), setup.folder, setup.pace}), m_shown(m_preferences.settings()) {
+      m_planner(m_preferences.machine(), std::move(steps)), m_machine(on(m_preferences.machine(), setup)),
+      m_shown(m_preferences.settings()) {
   setAcceptDrops(true);
   m_planner.setRecipe(m_preferences.lastRecipe());
   showWith(m_shown);
@@ -122,13 +126,9 @@ void MainWindow::build() {
   connect(m_strip, &ControlStrip::lockRequested, this, [this] { setLocked(true); });
   connect(m_cover, &WipeCover::ended, this, [this] { setLocked(false); });
   connect(job, &JobPage::openRequested, this, &MainWindow::askForPattern);
-  const auto openEngineering = [this, job] {
-    for (const char* key : {"accel_x_mm_s2", "accel_y_mm_s2"}) {
-      job->findChild<QLineEdit*>(QString::fromLatin1(key))->setEnabled(m_preferences.isOpen());
-    }
-  };
-  connect(&m_preferences, &Preferences::openChanged, job, openEngineering);
-  openEngineering();
+  connect(&m_preferences, &Preferences::openChanged, job,
+          [this, job] { job->setEngineeringEnabled(m_preferences.isOpen()); });
+  job->setEngineeringEnabled(m_preferences.isOpen());
 }
 
 void MainWindow::addPage(QWidget* page, const QString& text, const QString& name) {
@@ -137,7 +137,7 @@ void MainWindow::addPage(QWidget* page, const QString& text, const QString& name
   m_strip->addPage(text, name);
 }
 
-// They work in every dialog too.
+// They work in every dialog too: none of them is modal.
 void MainWindow::addShortcuts() {
   const auto add = [this](Qt::Key key, const std::function<void()>& act) {
     auto* shortcut = new QShortcut(key, this);
@@ -250,11 +250,9 @@ void MainWindow::openLast() {
 }
 
 void MainWindow::askForPattern() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Open pattern"), m_folder, tr("Drawings (*.dxf *.DXF);;All files (*)"));
-  if (!file.isEmpty()) {
-    openPattern(file.toStdString());
-  }
+  askForFile(*this,
+             {tr("Open pattern"), m_folder, tr("Drawings (*.dxf *.DXF);;All files (*)").split(QStringLiteral(";;"))},
+             [this](const std::filesystem::path& file) { openPattern(file); });
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -1,6 +1,7 @@
 #include "ui/pages/by_hand_panel.h"
 
 #include "core/job/program_track.h"
+#include "core/recipe/fields.h"
 #include "ui/text/machine_texts.h"
 #include "ui/text/quantities.h"
 #include "ui/widgets/number_edit.h"
@@ -13,12 +14,6 @@
 #include <algorithm>
 
 namespace arris::ui {
-namespace {
-
-constexpr double kFastestSpindle = 60000; // r/min
-
-} // namespace
-
 ByHandPanel::ByHandPanel(MachineLink& machine, QWidget* parent)
     : QWidget(parent), m_machine(machine), m_originHint(new QLabel), m_support(new QLabel), m_services(new QLabel) {
   auto* grid = new QGridLayout(this);
@@ -87,7 +82,7 @@ QWidget* ByHandPanel::makeServices() {
   const double chosen = m_machine.setupChoices().spindle;
   const double usual = m_machine.loaded() ? m_machine.loaded()->job.recipe.spindle : recipe::Recipe{}.spindle;
   m_speed = new NumberEdit({QStringLiteral("spindle_by_hand_r_min"), tr("Spindle speed by hand"),
-                            QStringLiteral("r/min"), 1, kFastestSpindle},
+                            QStringLiteral("r/min"), 1, recipe::numberField(&recipe::Recipe::spindle).most},
                            chosen > 0 ? chosen : std::max(1.0, usual));
   connect(m_speed, &NumberEdit::valueChanged, this, [this](double speed) { m_machine.setupChoices().spindle = speed; });
   connect(m_speed, &NumberEdit::complaintChanged, this, &ByHandPanel::showAllowed);
@@ -157,6 +152,9 @@ void ByHandPanel::showAllowed() {
 }
 
 void ByHandPanel::showReport() {
+  if (!isVisible()) {
+    return;
+  }
   const control::Report& report = m_machine.report();
   m_services->setText(servicesText(report));
   if (report.origin == m_shown) {

@@ -81,6 +81,10 @@ JobPage::JobPage(Planner& planner, QWidget* parent)
   showBusy(planner.isBusy());
 }
 
+void JobPage::setEngineeringEnabled(bool enabled) {
+  m_recipe->setEngineeringEnabled(enabled);
+}
+
 QWidget* JobPage::makeHeader() {
   auto* header = new QWidget;
   auto* layout = new QHBoxLayout(header);
@@ -141,6 +145,7 @@ QWidget* JobPage::makeViews() {
 
 void JobPage::connectPlanner() {
   connect(m_recipe, &RecipePanel::recipeChanged, &m_planner, &Planner::setRecipe);
+  connect(&m_planner, &Planner::recipeChanged, m_recipe, &RecipePanel::setRecipe);
   connect(m_recipe, &RecipePanel::complaintChanged, this, &JobPage::showComplaint);
   connect(m_recipe, &RecipePanel::openRequested, this, &JobPage::openRequested);
   connect(&m_planner, &Planner::planned, this, &JobPage::showPlan);

@@ -24,6 +24,9 @@ class JobPage : public QWidget {
 public:
   explicit JobPage(Planner& planner, QWidget* parent = nullptr);
 
+  /// Whether the values that a code can protect may be changed.
+  void setEngineeringEnabled(bool enabled);
+
 Q_SIGNALS:
   void openRequested();
 

@@ -19,12 +19,6 @@ using files::Verdict;
 
 namespace {
 
-const recipe::NumberField& correctionField() {
-  const auto fields = recipe::numberFields();
-  return *std::find_if(fields.begin(), fields.end(),
-                       [](const recipe::NumberField& any) { return any.member == &recipe::Recipe::sizeCorrection; });
-}
-
 constexpr int kApart = 12; // px
 
 // One press of − or +, mm.
@@ -50,6 +44,7 @@ OrderPanel::OrderPanel(Planner& planner, MachineLink& machine, QWidget* parent)
   grid->addWidget(makeOrder(), 2, 0);
   grid->addWidget(makeCorrection(), 3, 0);
   connect(&machine, &MachineLink::changed, this, &OrderPanel::showState);
+  connect(&planner, &Planner::recipeChanged, this, &OrderPanel::showState);
   connect(&planner, &Planner::planned, this, &OrderPanel::showState);
   connect(&planner, &Planner::openFailed, this, &OrderPanel::showState);
   connect(&planner, &Planner::busyChanged, this, &OrderPanel::showState);
@@ -110,7 +105,7 @@ QWidget* OrderPanel::makeCorrection() {
   auto* box = new QWidget;
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
-  const recipe::NumberField& field = correctionField();
+  const recipe::NumberField& field = recipe::numberField(&recipe::Recipe::sizeCorrection);
   m_smaller = makeSign(QStringLiteral("−"), QStringLiteral("correctionDown"), tr("Grind the next pane smaller"));
   m_larger = makeSign(QStringLiteral("+"), QStringLiteral("correctionUp"), tr("Leave the next pane larger"));
   m_correction = new NumberEdit({QStringLiteral("nextPaneCorrection"), tr("Size correction, next pane"),
@@ -145,7 +140,7 @@ void OrderPanel::changeCorrection(double to) {
   const NumberSpec& field = m_correction->spec();
   recipe.sizeCorrection = std::clamp(std::round(to / kFinest) * kFinest, field.least, field.most);
   m_planner.setRecipe(recipe);
-  showState();
+  showState(); // also where rounding leaves it as it was
 }
 
 void OrderPanel::load() {

@@ -4,11 +4,12 @@
 #include "ui/text/job_texts.h"
 #include "ui/text/quantities.h"
 #include "ui/widgets/number_edit.h"
+#include "ui/widgets/segments.h"
 
-#include <QButtonGroup>
 #include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -20,19 +21,19 @@ namespace arris::ui {
 namespace {
 
 // In the order of the paper's man–machine interface.
-constexpr std::array<std::string_view, 7> kKeys{"wheel_radius_mm", "accel_x_mm_s2", "accel_y_mm_s2", "thickness_mm",
-                                                "depth_mm",        "feed_mm_min",   "spindle_r_min"};
+constexpr std::array kGrinding{&recipe::Recipe::wheelRadius, &recipe::Recipe::accelX, &recipe::Recipe::accelY,
+                               &recipe::Recipe::thickness,   &recipe::Recipe::depth,  &recipe::Recipe::feed,
+                               &recipe::Recipe::spindle};
 
 // What concerns the pane; the operator's first.
-constexpr std::array<std::string_view, 5> kPaneKeys{"size_correction_mm", "lead_mm", "overlap_mm", "rotate_deg",
-                                                    "smooth_mm"};
+constexpr std::array kPane{&recipe::Recipe::sizeCorrection, &recipe::Recipe::lead, &recipe::Recipe::overlap,
+                           &recipe::Recipe::rotate, &recipe::Recipe::smooth};
 
-QString toText(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
+// What a code can protect.
+constexpr std::array kEngineering{&recipe::Recipe::accelX, &recipe::Recipe::accelY};
 
 NumberSpec specOf(const recipe::NumberField& field, double most) {
-  return {toText(field.key), fieldText(field), toText(field.unit), field.least, std::min(most, field.most)};
+  return {toQString(field.key), fieldText(field), toQString(field.unit), field.least, std::min(most, field.most)};
 }
 
 double mostOn(const recipe::NumberField& field, const recipe::Machine& machine) {
@@ -40,11 +41,6 @@ double mostOn(const recipe::NumberField& field, const recipe::Machine& machine) 
     return machine.maxAccel.x();
   }
   return field.member == &recipe::Recipe::accelY ? machine.maxAccel.y() : field.most;
-}
-
-const recipe::NumberField& fieldOf(std::string_view key) {
-  const auto fields = recipe::numberFields();
-  return *std::find_if(fields.begin(), fields.end(), [key](const recipe::NumberField& f) { return f.key == key; });
 }
 
 } // namespace
@@ -58,9 +54,9 @@ RecipePanel::RecipePanel(recipe::Recipe recipe, const recipe::Machine& machine, 
       m_pattern(new QLabel), m_pages(new QStackedWidget), m_rimSpeed(new QLabel) {
   m_open->setObjectName(QStringLiteral("open"));
   m_open->setShortcut(QKeySequence::Open);
-  QWidget* grinding = makePage(kKeys, machine);
+  QWidget* grinding = makePage(kGrinding, machine);
   grinding->layout()->addWidget(m_rimSpeed);
-  QWidget* pane = makePage(kPaneKeys, machine);
+  QWidget* pane = makePage(kPane, machine);
   pane->layout()->addWidget(makeAcceptUnreached());
   for (QWidget* page : {grinding, pane}) {
     static_cast<QVBoxLayout*>(page->layout())->addStretch(1);
@@ -81,37 +77,23 @@ RecipePanel::RecipePanel(recipe::Recipe recipe, const recipe::Machine& machine, 
 
 // Which of the two pages is shown.
 QWidget* RecipePanel::makePages() {
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
-  auto* group = new QButtonGroup(this);
-  const std::array<std::pair<QString, QString>, 2> pages{
-      {{tr("Grinding"), QStringLiteral("showGrinding")}, {tr("Pane"), QStringLiteral("showPane")}}};
-  for (int i = 0; i < 2; ++i) {
-    const auto& [text, name] = pages.at(static_cast<std::size_t>(i));
-    auto* button = new QPushButton(text);
-    button->setObjectName(name);
-    button->setCheckable(true);
-    button->setChecked(i == 0);
-    group->addButton(button, i);
-    layout->addWidget(button, 1);
-  }
-  connect(group, &QButtonGroup::idClicked, m_pages, &QStackedWidget::setCurrentIndex);
-  return row;
+  auto* pages =
+      new Segments({{QStringLiteral("showGrinding"), tr("Grinding")}, {QStringLiteral("showPane"), tr("Pane")}});
+  connect(pages, &Segments::picked, m_pages, &QStackedWidget::setCurrentIndex);
+  return pages;
 }
 
-QWidget* RecipePanel::makePage(std::span<const std::string_view> keys, const recipe::Machine& machine) {
+QWidget* RecipePanel::makePage(std::span<double recipe::Recipe::*const> members, const recipe::Machine& machine) {
   auto* page = new QWidget;
   auto* layout = new QVBoxLayout(page);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
-  for (const std::string_view key : keys) {
-    const recipe::NumberField& field = fieldOf(key);
-    auto* edit = new NumberEdit(specOf(field, mostOn(field, machine)), m_recipe.*field.member);
-    m_fields.push_back(edit);
+  for (double recipe::Recipe::*const member : members) {
+    const recipe::NumberField& field = recipe::numberField(member);
+    auto* edit = new NumberEdit(specOf(field, mostOn(field, machine)), m_recipe.*member);
+    m_fields.push_back({edit, member});
     layout->addWidget(edit);
-    connect(edit, &NumberEdit::valueChanged, this, [this, member = field.member](double value) {
+    connect(edit, &NumberEdit::valueChanged, this, [this, member](double value) {
       m_recipe.*member = value;
       showRimSpeed();
       Q_EMIT recipeChanged(m_recipe);
@@ -123,6 +105,7 @@ QWidget* RecipePanel::makePage(std::span<const std::string_view> keys, const rec
 
 QCheckBox* RecipePanel::makeAcceptUnreached() {
   auto* accept = new QCheckBox(tr("Leave unground what\nthe wheel cannot reach"));
+  m_accept = accept;
   accept->setObjectName(QStringLiteral("accept_unreached"));
   accept->setChecked(m_recipe.acceptUnreached);
   connect(accept, &QCheckBox::toggled, this, [this](bool on) {
@@ -140,8 +123,27 @@ void RecipePanel::setPatternName(const QString& name) {
 
 NumberEdit* RecipePanel::field(std::string_view key) const {
   const auto found = std::find_if(m_fields.begin(), m_fields.end(),
-                                  [key](const NumberEdit* edit) { return edit->spec().name == toText(key); });
-  return found != m_fields.end() ? *found : nullptr;
+                                  [key](const Field& field) { return field.edit->spec().name == toQString(key); });
+  return found != m_fields.end() ? found->edit : nullptr;
+}
+
+// A field that has this value already keeps its text, also a wrong one.
+void RecipePanel::setRecipe(const recipe::Recipe& recipe) {
+  m_recipe = recipe;
+  for (const auto& [edit, member] : m_fields) {
+    if (edit->value() != m_recipe.*member) {
+      edit->setValue(m_recipe.*member);
+    }
+  }
+  const QSignalBlocker silent(m_accept);
+  m_accept->setChecked(m_recipe.acceptUnreached);
+  showRimSpeed();
+}
+
+void RecipePanel::setEngineeringEnabled(bool enabled) {
+  for (const auto& [edit, member] : m_fields) {
+    edit->setEnabled(enabled || std::find(kEngineering.begin(), kEngineering.end(), member) == kEngineering.end());
+  }
 }
 
 void RecipePanel::showRimSpeed() {
@@ -151,7 +153,7 @@ void RecipePanel::showRimSpeed() {
 // One at a time, that of the field being typed into first: there is no room for more.
 void RecipePanel::showComplaint() {
   QString complaint;
-  for (const NumberEdit* edit : m_fields) {
+  for (const auto& [edit, member] : m_fields) {
     if (!edit->complaint().isEmpty() && (complaint.isEmpty() || edit->line()->hasFocus())) {
       complaint = edit->complaint();
     }

@@ -29,6 +29,12 @@ public:
     return m_recipe;
   }
 
+  /// Shows a recipe that somebody else has changed, without saying so.
+  void setRecipe(const recipe::Recipe& recipe);
+
+  /// Whether the values that a code can protect may be changed.
+  void setEngineeringEnabled(bool enabled);
+
   /// The name of the pattern that is shown.
   void setPatternName(const QString& name);
 
@@ -42,8 +48,13 @@ Q_SIGNALS:
   void complaintChanged(const QString& complaint);
 
 private:
+  struct Field {
+    NumberEdit* edit;
+    double recipe::Recipe::*member;
+  };
+
   QWidget* makePages();
-  QWidget* makePage(std::span<const std::string_view> keys, const recipe::Machine& machine);
+  QWidget* makePage(std::span<double recipe::Recipe::*const> members, const recipe::Machine& machine);
   QCheckBox* makeAcceptUnreached();
   void showComplaint();
   void showRimSpeed();
@@ -52,7 +63,8 @@ private:
   QPushButton* m_open;
   QLabel* m_pattern;
   QStackedWidget* m_pages;
-  std::vector<NumberEdit*> m_fields;
+  std::vector<Field> m_fields;
+  QCheckBox* m_accept = nullptr;
   QLabel* m_rimSpeed;
 };
 

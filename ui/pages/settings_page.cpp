@@ -33,10 +33,6 @@ constexpr QSize kLeastWindow(1024, 700);                              // px, of 
 constexpr int kChoiceWidth = 420;                                     // px
 constexpr int kCodeWidth = 200;
 
-QString toQString(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
 QLabel* makeNote(const QString& text) {
   auto* note = new QLabel(text);
   note->setWordWrap(true);

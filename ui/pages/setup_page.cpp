@@ -3,6 +3,7 @@
 #include "ui/pages/by_hand_panel.h"
 #include "ui/text/machine_texts.h"
 #include "ui/text/quantities.h"
+#include "ui/widgets/segments.h"
 
 #include <QButtonGroup>
 #include <QCoreApplication>
@@ -100,24 +101,12 @@ SetupPage::SetupPage(MachineLink& machine, QWidget* parent)
 
 // Which part of the page is shown.
 QWidget* SetupPage::makeParts() {
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  auto* group = new QButtonGroup(this);
-  const std::array<std::pair<QString, QString>, 3> parts{{{tr("Drives and jog"), QStringLiteral("showMoving")},
-                                                          {tr("Origin and by hand"), QStringLiteral("showByHand")},
-                                                          {tr("Simulation"), QStringLiteral("showSimulation")}}};
-  for (int i = 0; i < static_cast<int>(parts.size()); ++i) {
-    const auto& [text, name] = parts.at(static_cast<std::size_t>(i));
-    auto* button = new QPushButton(text);
-    button->setObjectName(name);
-    button->setCheckable(true);
-    button->setChecked(i == m_machine.setupChoices().part);
-    group->addButton(button, i);
-    layout->addWidget(button, 1);
-  }
-  connect(group, &QButtonGroup::idClicked, this, &SetupPage::showPart);
-  return row;
+  auto* parts = new Segments({{QStringLiteral("showMoving"), tr("Drives and jog")},
+                              {QStringLiteral("showByHand"), tr("Origin and by hand")},
+                              {QStringLiteral("showSimulation"), tr("Simulation")}},
+                             m_machine.setupChoices().part);
+  connect(parts, &Segments::picked, this, &SetupPage::showPart);
+  return parts;
 }
 
 void SetupPage::showPart(int part) {
@@ -315,6 +304,9 @@ void SetupPage::showJog(const Allowed& allowed) {
 }
 
 void SetupPage::showReport() {
+  if (!isVisible()) {
+    return;
+  }
   showJog(m_machine.allowed());
   const control::Report& report = m_machine.report();
   const Eigen::Vector3d& at = report.measured;

@@ -55,6 +55,7 @@ void Planner::openPattern(const std::filesystem::path& file) {
 void Planner::setRecipe(const recipe::Recipe& recipe) {
   if (recipe != m_recipe) {
     m_recipe = recipe;
+    Q_EMIT recipeChanged(m_recipe);
     request();
   }
 }

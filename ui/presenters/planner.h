@@ -90,6 +90,8 @@ public:
 
 Q_SIGNALS:
   void busyChanged(bool busy);
+  /// Another recipe is in effect, whoever has changed it.
+  void recipeChanged(const arris::recipe::Recipe& recipe);
   /// The plan for the latest request. With errors among the job's problems it cannot be ground.
   void planned(const arris::ui::PlanPointer& plan);
   /// The profile of that plan; does not come when it cannot be ground.

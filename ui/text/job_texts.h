@@ -5,11 +5,17 @@
 
 #include <QString>
 
+#include <string_view>
 #include <vector>
 
 namespace arris::ui {
 
 // The words of core in the language of the window.
+
+/// A text of core as it is: a key, a unit.
+[[nodiscard]] inline QString toQString(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
 
 /// What a field of the recipe is: "Wheel radius".
 [[nodiscard]] QString fieldText(const recipe::NumberField& field);

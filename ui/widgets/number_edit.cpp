@@ -1,6 +1,7 @@
 #include "ui/widgets/number_edit.h"
 
 #include "core/recipe/fields.h"
+#include "ui/text/job_texts.h"
 #include "ui/text/number_input.h"
 #include "ui/text/quantities.h"
 #include "ui/widgets/keypad.h"
@@ -29,8 +30,7 @@ constexpr int kRangeDecimals = 4; // of what is converted
 int widestUnit(const QFontMetrics& metrics) {
   int widest = 0;
   for (const recipe::NumberField& field : recipe::numberFields()) {
-    widest = std::max(widest, metrics.horizontalAdvance(
-                                  QString::fromUtf8(field.unit.data(), static_cast<qsizetype>(field.unit.size()))));
+    widest = std::max(widest, metrics.horizontalAdvance(toQString(field.unit)));
   }
   return widest + 1;
 }
