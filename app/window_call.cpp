@@ -48,6 +48,10 @@ ExitStatus openWindow(const Arguments& arguments) {
     complain(kNoDisplay);
     return ExitStatus::SystemFailure;
   }
+  const files::StateFolder folder{stateFolder.empty() ? defaultStateFolder() : stateFolder};
+  if (const std::string scale = ui::scaleFactor(folder); !scale.empty()) {
+    qputenv("QT_SCALE_FACTOR", QByteArray::fromStdString(scale));
+  }
   int count = 1;
   char name[] = "arris";
   char* programArguments[] = {name, nullptr};
@@ -55,7 +59,7 @@ ExitStatus openWindow(const Arguments& arguments) {
   QApplication application(count, programArguments);
   qInstallMessageHandler(before);
   const auto file = pattern.empty() ? std::nullopt : std::optional<std::filesystem::path>(pattern);
-  const ui::MachineSetup setup{{}, {stateFolder.empty() ? defaultStateFolder() : stateFolder}, control::Pace::Real};
+  const ui::MachineSetup setup{{}, folder, control::Pace::Real};
   return ui::runWindow(application, setup, file) == 0 ? ExitStatus::Done : ExitStatus::InternalError;
 }
 

@@ -8,6 +8,7 @@
 #include "ui/pages/run_page.h"
 #include "ui/pages/settings_page.h"
 #include "ui/pages/setup_page.h"
+#include "ui/text/file_texts.h"
 #include "ui/text/translators.h"
 #include "ui/widgets/alarm_banner.h"
 #include "ui/widgets/control_strip.h"
@@ -19,7 +20,6 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QMessageBox>
 #include <QMimeData>
@@ -205,8 +205,7 @@ void MainWindow::tellProblems() {
 
 void MainWindow::showTitle() {
   const PlanPointer& plan = m_planner.plan();
-  setWindowTitle(plan ? tr("%1 – Arris").arg(QString::fromStdString(plan->import->file.filename().string()))
-                      : QStringLiteral("Arris"));
+  setWindowTitle(plan ? tr("%1 – Arris").arg(nameOfFile(plan->import->file)) : QStringLiteral("Arris"));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -236,7 +235,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::openPattern(const std::filesystem::path& file) {
-  m_folder = QFileInfo(QString::fromStdString(file.string())).absolutePath();
+  m_folder = folderOfFile(file);
   m_planner.openPattern(file);
 }
 

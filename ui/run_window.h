@@ -4,10 +4,15 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 class QApplication;
 
 namespace arris::ui {
+
+/// What Qt is to be told as QT_SCALE_FACTOR before there is an application: "1.5" by the settings of the state folder;
+/// empty where they ask for no scale or cannot be read (the window tells that).
+[[nodiscard]] std::string scaleFactor(const files::StateFolder& folder);
 
 /// Name and theme for the whole program.
 void prepareApplication(QApplication& application);

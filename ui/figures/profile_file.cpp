@@ -4,6 +4,7 @@
 #include "core/files/profile_csv.h"
 #include "core/files/run_record.h"
 #include "core/files/whole_file.h"
+#include "ui/text/file_texts.h"
 
 #include <cerrno>
 #include <string>
@@ -13,10 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-QString fileName(const fs::path& file) {
-  return QString::fromStdString(file.filename().string());
-}
-
 base::Expected<ProfileCurves> curvesOfRecord(const fs::path& file, const ProfileColumns& columns, std::size_t rows) {
   if (rows == 0) {
     return base::Unexpected(base::Problem(base::Code::RecordMalformed,
@@ -25,7 +22,7 @@ base::Expected<ProfileCurves> curvesOfRecord(const fs::path& file, const Profile
   if (rows > kMostRowsOfProfile) {
     return base::Unexpected(files::systemProblem(base::Code::CannotRead, file, EFBIG));
   }
-  return curvesOf(columns, fileName(file));
+  return curvesOf(columns, nameOfFile(file));
 }
 
 // Row by row, since a record may be long.
@@ -47,7 +44,7 @@ ProfileReading readRun(const fs::path& file, const std::function<bool()>& wanted
 base::Expected<ProfileCurves> readTable(const fs::path& file) {
   return files::readFile(file)
       .and_then([&](const std::string& text) { return files::readProfile(text, file.string()); })
-      .map([&](const std::vector<files::ProfileRow>& rows) { return curvesOf(columnsOf(rows), fileName(file)); });
+      .map([&](const std::vector<files::ProfileRow>& rows) { return curvesOf(columnsOf(rows), nameOfFile(file)); });
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "ui/pages/back_up_panel.h"
 
 #include "ui/models/signal_model.h"
+#include "ui/text/file_texts.h"
 #include "ui/text/problem_texts.h"
 #include "ui/widgets/busy_bar.h"
 #include "ui/widgets/file_question.h"

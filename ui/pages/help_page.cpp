@@ -15,6 +15,17 @@ constexpr int kManualMargin = 16; // px
 // Each page has a heading of the second level, in this order.
 constexpr const char* kParts[] = {"pageJob", "pageSetup", "pageRun", "pageProfiles", "pageAlarms", "pageSettings"};
 
+// As it is written (Markdown); in English where the window speaks a language without one.
+QString manualIn(const QString& language) {
+  for (const QString& name : {language, QStringLiteral("en")}) {
+    QFile file(QStringLiteral(":/manual/%1.md").arg(name));
+    if (file.open(QIODevice::ReadOnly)) {
+      return QString::fromUtf8(file.readAll());
+    }
+  }
+  return {};
+}
+
 } // namespace
 
 HelpPage::HelpPage(QWidget* parent) : QTextBrowser(parent) {
@@ -23,18 +34,8 @@ HelpPage::HelpPage(QWidget* parent) : QTextBrowser(parent) {
   setFrameShape(QFrame::NoFrame);
   document()->setDocumentMargin(kManualMargin);
   //: The language that the manual is read in: that of this translation, "de" or "zh_CN".
-  setMarkdown(manual(tr("en", "language of the manual")));
+  setMarkdown(manualIn(tr("en", "language of the manual")));
   QScroller::grabGesture(viewport(), QScroller::TouchGesture);
-}
-
-QString HelpPage::manual(const QString& language) {
-  for (const QString& name : {language, QStringLiteral("en")}) {
-    QFile file(QStringLiteral(":/manual/%1.md").arg(name));
-    if (file.open(QIODevice::ReadOnly)) {
-      return QString::fromUtf8(file.readAll());
-    }
-  }
-  return {};
 }
 
 void HelpPage::showPart(const QString& page) {

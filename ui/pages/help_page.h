@@ -14,9 +14,6 @@ public:
   /// The part of the page with this name of its button: "pageRun".
   void showPart(const QString& page);
 
-  /// The manual as it is written (Markdown); in English where the window speaks a language without one.
-  [[nodiscard]] static QString manual(const QString& language);
-
 protected:
   void showEvent(QShowEvent* event) override;
 

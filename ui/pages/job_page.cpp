@@ -3,6 +3,7 @@
 #include "ui/figures/profile_plot.h"
 #include "ui/pages/findings_panel.h"
 #include "ui/pages/recipe_panel.h"
+#include "ui/text/file_texts.h"
 #include "ui/text/problem_texts.h"
 #include "ui/text/quantities.h"
 #include "ui/views/drawing_view.h"
@@ -178,7 +179,7 @@ void JobPage::showPlan(const PlanPointer& plan) {
     m_profileShown = false; // another pattern: the profile is shown from the start
   }
   m_plan = plan;
-  m_recipe->setPatternName(QString::fromStdString(plan->import->file.filename().string()));
+  m_recipe->setPatternName(nameOfFile(plan->import->file));
   m_drawing->setPlan(plan);
   m_findings->setPlan(plan);
   if (!plan->job.canBeGround()) {

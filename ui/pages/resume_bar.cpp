@@ -1,5 +1,6 @@
 #include "ui/pages/resume_bar.h"
 
+#include "ui/text/file_texts.h"
 #include "ui/text/problem_texts.h"
 #include "ui/text/quantities.h"
 
@@ -37,7 +38,7 @@ QString whichText(const BrokenJob& job) {
   const QDateTime time = QDateTime::fromString(QString::fromStdString(job.time), Qt::ISODate);
   const std::filesystem::path file(job.point.patternFile);
   return ResumeBar::tr("Resume the job of %1: %2, pane %3 of %4, interrupted by %5?")
-      .arg(QLocale().toString(time, QLocale::ShortFormat), QString::fromStdString(file.filename().string()))
+      .arg(QLocale().toString(time, QLocale::ShortFormat), nameOfFile(file))
       .arg(job.point.pane)
       .arg(job.point.panes)
       .arg(endedText(job.point.ended));
@@ -113,7 +114,7 @@ QString ResumeBar::text(const ResumeOffer& offer) const {
     lines += offer.aside().empty()
                  ? tr("The job that was broken off cannot be resumed.")
                  : tr("The job that was broken off is not resumed; what is known of it is kept as %1.")
-                       .arg(QString::fromStdString(offer.aside().filename().string()));
+                       .arg(nameOfFile(offer.aside()));
     break;
   }
   return lines.join(QLatin1Char('\n'));

@@ -205,13 +205,6 @@ QWidget* SettingsPage::makeMachine() {
   m_engineering = new QWidget;
   auto* grid = new QGridLayout(m_engineering);
   grid->addWidget(makeNote(tr("What is changed here counts from the next start of Arris.")), 0, 0, 1, 4);
-  addChoice(*grid, tr("Axes"),
-            {{QStringLiteral("axesSimulated"), tr("Simulated")}, {QStringLiteral("axesLinuxCnc"), tr("LinuxCNC")}},
-            static_cast<int>(m_preferences.settings().axes),
-            [](Settings& changed, int index) { changed.axes = static_cast<Settings::Axes>(index); });
-  if (QWidget* axes = grid->itemAtPosition(grid->rowCount() - 1, 1)->widget()) {
-    grid->addWidget(axes, grid->rowCount() - 1, 1, 1, 3); // as wide as three numbers
-  }
   addFieldsOfMachine(*grid);
   grid->setColumnStretch(0, 1);
   grid->setRowStretch(grid->rowCount(), 1);

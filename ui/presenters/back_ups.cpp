@@ -1,11 +1,11 @@
 #include "ui/presenters/back_ups.h"
 
 #include "core/files/wall_clock.h"
+#include "ui/text/file_texts.h"
 #include "ui/text/problem_texts.h"
 
 #include <QDate>
 #include <QDir>
-#include <QFileInfo>
 #include <QLocale>
 #include <QSysInfo>
 
@@ -22,14 +22,6 @@ files::BundleOrigin originOfNow() {
            {"kernel", (QSysInfo::kernelType() + QLatin1Char(' ') + QSysInfo::kernelVersion()).toStdString()},
            {"processor", QSysInfo::currentCpuArchitecture().toStdString()},
            {"language", QLocale().name().toStdString()}}};
-}
-
-QString nameOf(const std::filesystem::path& file) {
-  return QString::fromStdString(file.filename().string());
-}
-
-QString folderOf(const std::filesystem::path& file) {
-  return QFileInfo(QString::fromStdString(file.string())).absolutePath();
 }
 
 } // namespace
@@ -73,18 +65,18 @@ QString BackUps::suggested(const QString& what) const {
 }
 
 void BackUps::saveBackUp(const std::filesystem::path& file) {
-  m_folder = folderOf(file);
+  m_folder = folderOfFile(file);
   start([this, file, root = m_machine.folder().root] {
     return [this, file, count = files::writeBackUp(root, file, originOfNow())] { takeSaved(file, count); };
   });
 }
 
 void BackUps::saveSupportBundle(const std::filesystem::path& file) {
-  m_folder = folderOf(file);
+  m_folder = folderOfFile(file);
   start([this, file, root = m_machine.folder().root] {
     return [this, file, count = files::writeSupportBundle(root, file, originOfNow())] {
       if (count) {
-        tell(tr("Saved: %1. It has what help needs; nothing is sent to anybody.").arg(nameOf(file)));
+        tell(tr("Saved: %1. It has what help needs; nothing is sent to anybody.").arg(nameOfFile(file)));
       } else {
         tell(count.error());
       }
@@ -99,7 +91,7 @@ void BackUps::takeSaved(const std::filesystem::path& file, const base::Expected<
     tell(tr("There is nothing to back up yet: no settings, machine, recipes or counters have been kept so far."),
          base::Severity::Warning);
   } else {
-    tell(tr("Saved: %1. Files in it: %2.").arg(nameOf(file)).arg(*count));
+    tell(tr("Saved: %1. Files in it: %2.").arg(nameOfFile(file)).arg(*count));
   }
 }
 
@@ -107,7 +99,7 @@ void BackUps::open(const std::filesystem::path& file) {
   if (!mayRestore()) {
     return;
   }
-  m_folder = folderOf(file);
+  m_folder = folderOfFile(file);
   m_opened.reset();
   start([this, file] { return [this, backUp = files::readBackUp(file)] { takeOpened(backUp); }; });
 }
@@ -154,7 +146,7 @@ void BackUps::takeRestored(const base::Expected<std::optional<std::filesystem::p
     return;
   }
   const QString kept =
-      *before ? QLatin1Char(' ') + tr("What was there before is in %1.").arg(nameOf(**before)) : QString();
+      *before ? QLatin1Char(' ') + tr("What was there before is in %1.").arg(nameOfFile(**before)) : QString();
   tell(tr("Restored. Close Arris and start it again: then it takes effect.") + kept, base::Severity::Warning);
   Q_EMIT restored();
 }

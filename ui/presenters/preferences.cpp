@@ -106,8 +106,11 @@ void Preferences::keepRecipe(const recipe::Recipe& recipe) {
 void Preferences::noteOpened(const fs::path& pattern) {
   files::Settings settings = m_settings;
   std::vector<std::string>& recent = settings.recent;
-  recent.erase(std::remove(recent.begin(), recent.end(), pattern.string()), recent.end());
-  recent.insert(recent.begin(), pattern.string());
+  std::error_code failure;
+  const fs::path whole = fs::absolute(pattern, failure); // it is opened again from anywhere
+  const std::string file = (failure ? pattern : whole).string();
+  recent.erase(std::remove(recent.begin(), recent.end(), file), recent.end());
+  recent.insert(recent.begin(), file);
   recent.resize(std::min(recent.size(), files::kMostRecent));
   change(settings);
 }

@@ -353,8 +353,4 @@ QString severityText(base::Severity severity) {
   return {};
 }
 
-QString breakableAtFolders(QString text) {
-  return text.replace(QLatin1Char('/'), QStringLiteral("/\u200b"));
-}
-
 } // namespace arris::ui

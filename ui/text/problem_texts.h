@@ -26,7 +26,4 @@ namespace arris::ui {
 /// The English words that core fills into the templates, as the translators get them; {} is a figure or a name.
 [[nodiscard]] const std::vector<const char*>& problemWords();
 
-/// So that a path, which has no spaces, may break after each of its folders.
-[[nodiscard]] QString breakableAtFolders(QString text);
-
 } // namespace arris::ui

@@ -5,12 +5,14 @@
 #include "tests/ui/support/steps.h"
 #include "ui/figures/style.h"
 #include "ui/main_window.h"
+#include "ui/run_window.h"
 #include "ui/text/translators.h"
 #include "ui/widgets/keypad.h"
 #include "ui/widgets/theme.h"
 
 #include <QApplication>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -201,6 +203,48 @@ TEST_F(SettingsWindow, LocksTheScreenForWipingButNotTheStops) {
   QTest::mouseClick(find("stop"), Qt::LeftButton);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !control::isMoving(m_window.machine().report().state); }, test::kPatience));
   EXPECT_FALSE(m_window.machine().report().homed);
+}
+
+TEST_F(SettingsWindow, AsksForAFileWithoutKeepingAnybodyFromStop) {
+  openTriangle();
+  m_window.machine().enable();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return m_window.machine().allowed().home; }, test::kPatience));
+  tap("open");
+  auto* dialog = m_window.findChild<QFileDialog*>();
+  ASSERT_TRUE(dialog != nullptr && dialog->isVisible());
+  m_window.machine().home();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return find("stop")->isEnabled(); }, test::kPatience));
+  dialog->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(dialog));
+  QTest::keyClick(dialog, Qt::Key_F12);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !control::isMoving(m_window.machine().report().state); }, test::kPatience));
+  EXPECT_FALSE(m_window.machine().report().homed);
+  Q_EMIT dialog->fileSelected(QStringLiteral("rectangle.dxf"));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return m_window.windowTitle().startsWith("rectangle.dxf"); }, test::kPatience));
+}
+
+TEST_F(SettingsWindow, KeepsOnTheJobPageWhatAnotherPageHasChanged) {
+  openTriangle();
+  auto* depth = find<QLineEdit>("depth_mm");
+  depth->setText(QStringLiteral("nothing"));
+  tap("pageRun");
+  tap("correctionUp");
+  EXPECT_EQ(find<QLineEdit>("size_correction_mm")->text(), QStringLiteral("0.01"));
+  EXPECT_EQ(depth->text(), QStringLiteral("nothing")); // still to be mended
+  find<QLineEdit>("feed_mm_min")->setText(QStringLiteral("3000"));
+  EXPECT_DOUBLE_EQ(m_window.planner().recipe().sizeCorrection, 0.01);
+  EXPECT_EQ(m_window.planner().recipe().feed, 3000);
+}
+
+TEST_F(SettingsWindow, IsScaledFromTheNextStart) {
+  const files::StateFolder folder{m_scratch / "state"};
+  EXPECT_EQ(scaleFactor(folder), "");
+  files::Settings settings = m_window.preferences().settings();
+  settings.scale = 150;
+  m_window.preferences().change(settings);
+  EXPECT_EQ(scaleFactor(folder), "1.5");
+  std::ofstream(folder.settings()) << "{";
+  EXPECT_EQ(scaleFactor(folder), "");
 }
 
 TEST_F(SettingsWindow, GoesToEveryPageAndToItsHelpByKeys) {

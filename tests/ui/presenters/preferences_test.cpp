@@ -86,6 +86,12 @@ TEST_F(PreferencesTest, KeepTheTenPatternsOpenedLast) {
   EXPECT_EQ(std::count(recent.begin(), recent.end(), "/panes/1.dxf"), 1);
 }
 
+TEST_F(PreferencesTest, KeepThePathFromWhichAPatternIsFoundFromAnywhere) {
+  Preferences preferences(m_folder);
+  preferences.noteOpened("pane.dxf");
+  EXPECT_EQ(preferences.settings().recent.front(), (std::filesystem::current_path() / "pane.dxf").string());
+}
+
 TEST_F(PreferencesTest, OpenTheEngineeringValuesOnlyWithTheCode) {
   {
     Preferences preferences(m_folder);
