@@ -3516,20 +3516,8 @@ Restzeit: %2</translation>
         <translation>Was hier geändert wird, gilt ab dem nächsten Start von Arris.</translation>
     </message>
     <message>
-        <source>Axes</source>
-        <translation>Achsen</translation>
-    </message>
-    <message>
-        <source>Simulated</source>
-        <translation>Simuliert</translation>
-    </message>
-    <message>
-        <source>LinuxCNC</source>
-        <translation>LinuxCNC</translation>
-    </message>
-    <message>
-        <source>A code protects the machine&apos;s values and, in the recipe, accelerations, corner speed and acceleration rule. The operator&apos;s values stay open.</source>
-        <translation>Ein Code schützt die Werte der Maschine und im Rezept Beschleunigungen, Übergangsgeschwindigkeit und Beschleunigungsregel. Die Werte des Bedieners bleiben offen.</translation>
+        <source>A code protects the machine&apos;s values and, in the recipe, the accelerations. The operator&apos;s values stay open.</source>
+        <translation>Ein Code schützt die Werte der Maschine und im Rezept die Beschleunigungen. Die Werte des Bedieners bleiben offen.</translation>
     </message>
     <message>
         <source>This is not the code.</source>

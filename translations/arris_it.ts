@@ -3516,20 +3516,8 @@ Tempo residuo: %2</translation>
         <translation>Le modifiche fatte qui valgono dal prossimo avvio di Arris.</translation>
     </message>
     <message>
-        <source>Axes</source>
-        <translation>Assi</translation>
-    </message>
-    <message>
-        <source>Simulated</source>
-        <translation>Simulati</translation>
-    </message>
-    <message>
-        <source>LinuxCNC</source>
-        <translation>LinuxCNC</translation>
-    </message>
-    <message>
-        <source>A code protects the machine&apos;s values and, in the recipe, accelerations, corner speed and acceleration rule. The operator&apos;s values stay open.</source>
-        <translation>Un codice protegge i valori della macchina e, nella ricetta, accelerazioni, velocità di spigolo e regola di accelerazione. I valori dell&apos;operatore restano aperti.</translation>
+        <source>A code protects the machine&apos;s values and, in the recipe, the accelerations. The operator&apos;s values stay open.</source>
+        <translation>Un codice protegge i valori della macchina e, nella ricetta, le accelerazioni. I valori dell&apos;operatore restano aperti.</translation>
     </message>
     <message>
         <source>This is not the code.</source>

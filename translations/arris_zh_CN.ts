@@ -3516,20 +3516,8 @@ Time left: %2</source>
         <translation>此处的更改从 Arris 下次启动起生效。</translation>
     </message>
     <message>
-        <source>Axes</source>
-        <translation>轴</translation>
-    </message>
-    <message>
-        <source>Simulated</source>
-        <translation>模拟</translation>
-    </message>
-    <message>
-        <source>LinuxCNC</source>
-        <translation>LinuxCNC</translation>
-    </message>
-    <message>
-        <source>A code protects the machine&apos;s values and, in the recipe, accelerations, corner speed and acceleration rule. The operator&apos;s values stay open.</source>
-        <translation>密码保护机床参数，以及配方中的加速度、转角速度和加速度规则。操作员的数值保持开放。</translation>
+        <source>A code protects the machine&apos;s values and, in the recipe, the accelerations. The operator&apos;s values stay open.</source>
+        <translation>密码保护机床参数，以及配方中的加速度。操作员的数值保持开放。</translation>
     </message>
     <message>
         <source>This is not the code.</source>

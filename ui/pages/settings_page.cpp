@@ -232,9 +232,8 @@ QWidget* SettingsPage::makeCode() {
   m_lock->setObjectName(QStringLiteral("codeLock"));
   m_codeState->setWordWrap(true);
   m_codeState->setObjectName(QStringLiteral("codeState"));
-  column->addWidget(
-      makeNote(tr("A code protects the machine's values and, in the recipe, accelerations, corner speed and "
-                  "acceleration rule. The operator's values stay open.")));
+  column->addWidget(makeNote(tr("A code protects the machine's values and, in the recipe, the accelerations. "
+                                "The operator's values stay open.")));
   column->addWidget(m_codeState);
   auto* row = new QHBoxLayout;
   row->addWidget(m_code);

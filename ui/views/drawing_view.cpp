@@ -280,7 +280,15 @@ void DrawingView::setWheel(const std::optional<LiveWheel>& wheel) {
   viewport()->update();
 }
 
-// In the lower left corner, where the view is large enough to spare the room.
+// Of what is to be seen: glass, path and the numbers of the corners.
+bool DrawingView::isDrawnOn(const QRectF& place) const {
+  const geometry::Box& box = m_plan->drawing.box;
+  const QRectF drawn = viewportTransform().mapRect(QRectF(toQt(box.min()), toQt(box.max())));
+  return drawn.intersects(place) || std::any_of(m_labels.begin(), m_labels.end(),
+                                                [&](const CornerLabel& label) { return label.box.intersects(place); });
+}
+
+// In the lower left corner, where the view is large enough to spare the room and nothing is drawn there.
 void DrawingView::paintLegend(QPainter& painter) const {
   if (viewport()->width() < kLegendFromWidth || viewport()->height() < kLegendFromHeight) {
     return;
@@ -290,7 +298,11 @@ void DrawingView::paintLegend(QPainter& painter) const {
   const double inset = row / 2;
   const double height = row * static_cast<double>(entries.size());
   QPointF left(inset, frame().bottom() - height);
-  painter.fillRect(QRectF(0, left.y() - inset, kLegendWidth * m_style.unit, height + inset), m_style.palette.paper);
+  const QRectF place(0, left.y() - inset, kLegendWidth * m_style.unit, height + inset);
+  if (isDrawnOn(place)) {
+    return;
+  }
+  painter.fillRect(place, m_style.palette.paper);
   for (const LegendEntry& entry : entries) {
     entry.sample(painter, left, m_style);
     painter.setPen(m_style.palette.ink);

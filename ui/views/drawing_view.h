@@ -78,6 +78,7 @@ private:
   void renewStill(QPainter::RenderHints hints);
   void paintOverStill(QPainter& painter);
   void paintLegend(QPainter& painter) const;
+  [[nodiscard]] bool isDrawnOn(const QRectF& place) const;
   [[nodiscard]] double pixelsPerMillimetre() const;
   [[nodiscard]] QRectF frame() const;
 
