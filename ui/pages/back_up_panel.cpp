@@ -131,18 +131,14 @@ void BackUpPanel::showState() {
   m_giveUp->setEnabled(isAsked && !isBusy);
 }
 
-void BackUpPanel::askWhere(const QString& title, const QString& name,
-                           void (BackUps::*save)(const std::filesystem::path& file)) {
-  askForFile(*this, {title, m_backUps.suggested(name), filters(), true},
-             [this, save](const std::filesystem::path& file) { (m_backUps.*save)(file); });
-}
-
 void BackUpPanel::askForBackUp() {
-  askWhere(tr("Back up"), QStringLiteral("arris-back-up"), &BackUps::saveBackUp);
+  askForFile(*this, {tr("Back up"), m_backUps.suggested(QStringLiteral("arris-back-up")), filters(), true},
+             [this](const std::filesystem::path& file) { m_backUps.saveBackUp(file); });
 }
 
 void BackUpPanel::askForSupport() {
-  askWhere(tr("Support bundle"), QStringLiteral("arris-support"), &BackUps::saveSupportBundle);
+  askForFile(*this, {tr("Support bundle"), m_backUps.suggested(QStringLiteral("arris-support")), filters(), true},
+             [this](const std::filesystem::path& file) { m_backUps.saveSupportBundle(file); });
 }
 
 void BackUpPanel::askForRestore() {

@@ -34,7 +34,6 @@ private:
   void askForBackUp();
   void askForRestore();
   void askForSupport();
-  void askWhere(const QString& title, const QString& name, void (BackUps::*save)(const std::filesystem::path& file));
   [[nodiscard]] static QStringList filters();
 
   MachineLink& m_machine;

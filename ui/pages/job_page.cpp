@@ -28,6 +28,7 @@ namespace {
 constexpr int kRecipeWidth = 236;
 constexpr int kFindingsWidth = 540;
 constexpr int kBesideFrom = 1500; // px: from this width on the findings stand beside the drawing
+constexpr int kNarrowest = 900;   // px, in the smallest window
 constexpr int kStateSignSize = 24;
 constexpr int kComplaintWidth = 520;
 constexpr int kComplaintMargin = 10;
@@ -246,6 +247,12 @@ void JobPage::arrange() {
   m_split->setSizes(m_beside ? QList{width() - kRecipeWidth - kFindingsWidth, kFindingsWidth} : QList{5500, 4500});
   m_views->setOrientation(m_beside ? Qt::Vertical : Qt::Horizontal);
   m_views->setSizes({5000, 5000});
+}
+
+// What stands side by side stands below each other in a narrower window.
+QSize JobPage::minimumSizeHint() const {
+  const QSize now = QWidget::minimumSizeHint();
+  return {std::min(now.width(), kNarrowest), now.height()};
 }
 
 void JobPage::showComplaint(const QString& complaint) {

@@ -27,6 +27,8 @@ public:
   /// Whether the values that a code can protect may be changed.
   void setEngineeringEnabled(bool enabled);
 
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
 Q_SIGNALS:
   void openRequested();
 

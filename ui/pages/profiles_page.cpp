@@ -110,14 +110,16 @@ QWidget* ProfilesPage::makeViewButtons() {
   QToolButton* next =
       addButton(*layout, QStringLiteral("▶"), "profilesNextCorner", tr("Next corner"), [this] { goToNextCorner(1); });
   layout->addSpacing(8);
-  const auto addView = [&](const QString& text, const char* name, const QString& what, void (PointedPlot::*act)()) {
-    m_forProfiles.push_back(addButton(*layout, text, name, what, [this, act] { (plot()->*act)(); }));
+  using Act = std::function<void(PointedPlot&)>;
+  const auto addView = [&](const QString& text, const char* name, const QString& what, const Act& act) {
+    m_forProfiles.push_back(addButton(*layout, text, name, what, [this, act] { act(*plot()); }));
   };
-  addView(QStringLiteral("−"), "profilesZoomOut", tr("Zoom out"), &PointedPlot::zoomOut);
-  addView(QStringLiteral("+"), "profilesZoomIn", tr("Zoom in"), &PointedPlot::zoomIn);
-  addView(tr("Work"), "profilesWork", tr("From the first lead-in to the last lead-out"), &PointedPlot::showWork);
+  addView(QStringLiteral("−"), "profilesZoomOut", tr("Zoom out"), [](PointedPlot& plot) { plot.zoomOut(); });
+  addView(QStringLiteral("+"), "profilesZoomIn", tr("Zoom in"), [](PointedPlot& plot) { plot.zoomIn(); });
+  addView(tr("Work"), "profilesWork", tr("From the first lead-in to the last lead-out"),
+          [](PointedPlot& plot) { plot.showWork(); });
   addView(tr("All"), "profilesAll", tr("From the start of the program to its end; of the path: all of the travel"),
-          &PointedPlot::showAll);
+          [](PointedPlot& plot) { plot.showAll(); });
   m_forCorners = {previous, next};
   return row;
 }

@@ -80,7 +80,7 @@ private:
   void showPlanned();
   void askForFile();
   void askWhere(const QString& title, const QStringList& filters,
-                void (ProfilesPage::*save)(const std::filesystem::path& file));
+                const std::function<void(const std::filesystem::path&)>& save);
   void askForPicture();
   void askForProfile();
   void askForJobSheet();

@@ -65,26 +65,27 @@ void ProfilesPage::saveJobSheet(const std::filesystem::path& file) {
 }
 
 void ProfilesPage::askWhere(const QString& title, const QStringList& filters,
-                            void (ProfilesPage::*save)(const std::filesystem::path& file)) {
+                            const std::function<void(const std::filesystem::path&)>& save) {
   ui::askForFile(*this, {title, m_folder, filters, true}, [this, save](const std::filesystem::path& file) {
     m_folder = folderOfFile(file);
-    (this->*save)(file);
+    save(file);
   });
 }
 
 void ProfilesPage::askForPicture() {
   askWhere(tr("Save picture"),
            {QStringLiteral("SVG (*.svg)"), QStringLiteral("PNG (*.png)"), QStringLiteral("PDF (*.pdf)")},
-           &ProfilesPage::savePicture);
+           [this](const std::filesystem::path& file) { savePicture(file); });
 }
 
 void ProfilesPage::askForProfile() {
   askWhere(m_openIsRecord ? tr("Save the profile of the run %1").arg(actual()->name) : tr("Save the planned profile"),
-           {QStringLiteral("CSV (*.csv)")}, &ProfilesPage::saveProfile);
+           {QStringLiteral("CSV (*.csv)")}, [this](const std::filesystem::path& file) { saveProfile(file); });
 }
 
 void ProfilesPage::askForJobSheet() {
-  askWhere(tr("Save job sheet"), {QStringLiteral("PDF (*.pdf)")}, &ProfilesPage::saveJobSheet);
+  askWhere(tr("Save job sheet"), {QStringLiteral("PDF (*.pdf)")},
+           [this](const std::filesystem::path& file) { saveJobSheet(file); });
 }
 
 } // namespace arris::ui

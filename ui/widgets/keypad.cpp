@@ -45,7 +45,8 @@ void Keypad::openFor(NumberEdit& edit) {
 }
 
 Keypad::Keypad(NumberEdit& edit)
-    : QFrame(edit.window()), m_edit(&edit), m_line(new QLineEdit(edit.line()->text())), m_complaint(new QLabel) {
+    : QFrame(edit.window()), m_edit(&edit), m_field(&edit), m_line(new QLineEdit(edit.line()->text())),
+      m_complaint(new QLabel) {
   setObjectName(QStringLiteral("keypad"));
   setAttribute(Qt::WA_DeleteOnClose);
   setFixedWidth(kKeypadWidth);
@@ -139,9 +140,9 @@ void Keypad::keyPressEvent(QKeyEvent* event) {
 
 // The page with the field goes away, or the window has another size.
 bool Keypad::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == m_edit && event->type() == QEvent::Hide) {
+  if (watched == m_field && event->type() == QEvent::Hide) {
     close();
-  } else if (watched == window() && event->type() == QEvent::Resize) {
+  } else if (watched == window() && event->type() == QEvent::Resize && m_edit) {
     place();
   }
   return QFrame::eventFilter(watched, event);

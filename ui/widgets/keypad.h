@@ -43,6 +43,7 @@ private:
   void place();
 
   QPointer<NumberEdit> m_edit;
+  const QObject* m_field; // the same, to be compared with also while it ends
   QLineEdit* m_line;
   QLabel* m_complaint;
 };

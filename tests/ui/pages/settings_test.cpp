@@ -247,6 +247,16 @@ TEST_F(SettingsWindow, IsScaledFromTheNextStart) {
   EXPECT_EQ(scaleFactor(folder), "");
 }
 
+TEST_F(SettingsWindow, IsAsSmallAgainAsItWasAfterItWasLarge) {
+  openTriangle();
+  m_window.resize(1920, 1080);
+  QTest::qWait(20);
+  m_window.resize(1024, 700);
+  QTest::qWait(20);
+  EXPECT_EQ(m_window.size(), QSize(1024, 700));
+  EXPECT_EQ(m_window.centralWidget()->width(), 1024);
+}
+
 TEST_F(SettingsWindow, GoesToEveryPageAndToItsHelpByKeys) {
   m_window.activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&m_window));
