@@ -156,7 +156,7 @@ std::vector<std::string> latestRecords(const fs::path& folder) {
   return names;
 }
 
-// Everything of use to a helper; what is too large or cannot be read goes into `leftOut`.
+// Everything of use to whoever helps; what is too large or cannot be read goes into `leftOut`.
 BundledFiles filesOfSupport(const fs::path& folder, std::vector<std::string>& leftOut) {
   std::vector<std::string> names;
   if (const auto settings = namesOfBackUp(folder)) {

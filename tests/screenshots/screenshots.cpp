@@ -91,6 +91,10 @@ private:
       return false;
     }
     machine.setOverride(kSlowly);
+    const double slow = kSlowly * machine.loaded()->job.recipe.feedPerSecond();
+    if (!waitFor([&] { return machine.report().speed <= slow + 1e-6; })) {
+      return false;
+    }
     takeState(QStringLiteral("running"));
     machine.hold();
     if (!becomes(State::Held)) {

@@ -151,7 +151,7 @@ QWidget* AlarmPanel::makeDetail() {
   return row;
 }
 
-// Runs and sessions elsewhere may have added to the log.
+// Runs elsewhere may have added to the log.
 void AlarmPanel::showEvent(QShowEvent* event) {
   sizeColumns();
   m_history.reload();

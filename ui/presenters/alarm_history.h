@@ -11,10 +11,10 @@
 
 namespace arris::ui {
 
-/// An alarm of the log or of this session.
+/// An alarm of the log, or since the program began.
 struct PastAlarm {
   files::Alarm alarm;
-  bool isActive = false; ///< of this session and not acknowledged
+  bool isActive = false; ///< since the program began, and not acknowledged
   bool operator==(const PastAlarm&) const = default;
 };
 
@@ -23,7 +23,7 @@ using PastAlarms = std::vector<PastAlarm>;
 /// Whether both are the same alarm, acknowledged or not.
 [[nodiscard]] bool isSame(const files::Alarm& one, const files::Alarm& other);
 
-/// Every alarm that the machine's log holds, also of earlier sessions, with those of this session: each once, the
+/// Every alarm that the machine's log holds, also of earlier starts, with those since the program began: each once, the
 /// latest first. The log is read in the background. It remembers what is chosen and shown while pages come and go.
 class AlarmHistory : public QObject {
   Q_OBJECT
@@ -83,7 +83,7 @@ private:
   std::optional<base::Problem> m_problem;
   PastAlarms m_all;
   std::optional<files::Alarm> m_chosen;
-  std::pair<std::size_t, std::size_t> m_live; ///< alarms of this session, and those of them that are active
+  std::pair<std::size_t, std::size_t> m_live; ///< alarms since the program began, and those of them that are active
   bool m_activeOnly = false;
   int m_tasks = 0;
   QThreadPool m_pool; // one thread; last, so that it ends before what it uses

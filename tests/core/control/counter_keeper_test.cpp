@@ -51,7 +51,7 @@ files::Counters countersIn(const std::filesystem::path& file) {
   return read.value;
 }
 
-TEST(CounterKeeper, CountsWhatThePlanSaysAndGoesOnFromItInTheNextSession) {
+TEST(CounterKeeper, CountsWhatThePlanSaysAndGoesOnFromItTheNextTime) {
   const test::Scratch scratch;
   const std::filesystem::path file = scratch / "state/counters.json";
   const job::Job job = job::planJob(test::triangle600(), recipe::Recipe{}, recipe::Machine{});

@@ -55,7 +55,7 @@ protected:
   std::optional<AlarmHistory> m_history;
 };
 
-TEST_F(History, OfEarlierSessionsIsThereTheLatestFirst) {
+TEST_F(History, OfEarlierStartsIsThereTheLatestFirst) {
   putAlarm("2031-05-06T07:08:09", "coolant-loss");
   putAlarm("2031-05-06T07:08:10", "vacuum-loss");
   putAlarm("2031-05-06T07:08:09", "coolant-loss", true);
@@ -76,7 +76,7 @@ TEST_F(History, HasALiveAlarmWithoutAJobOnceInTheLogAndItsAcknowledgement) {
   EXPECT_EQ(m_history->chosen()->alarm.code, "emergency-stop");
   m_history->reload();
   ASSERT_TRUE(QTest::qWaitFor([this] { return !m_history->isBusy(); }, test::kPatience));
-  EXPECT_EQ(m_history->all().size(), 1U); // from log and session, but once
+  EXPECT_EQ(m_history->all().size(), 1U); // from the log and live, but once
   EXPECT_EQ(files::readAlarms(log())->size(), 1U);
   m_machine->acknowledge();
   EXPECT_FALSE(m_history->all()[0].isActive);
