@@ -166,30 +166,28 @@ QString ProfilePage::subheading(const job::Job& job) {
            numberText(job.recipe.feed, 1, c), numberText(job.recipe.accelX, 2, c), numberText(job.recipe.accelY, 2, c));
 }
 
-} // namespace
-
-Figure profileFigure(const std::vector<ProfileCurves>& profiles, const ProfileLimits& limits, const QString& heading,
-                     const QString& subheading, const ProfileView& view) {
+Figure pageUnder(const QString& heading, const QString& subheading,
+                 const std::function<void(ProfilePage& sheet)>& paint) {
   Figure figure;
   figure.title = heading;
   figure.paint = [=, page = figure.page](QCPPainter& painter) {
     ProfilePage sheet(painter, page);
     sheet.paintHeading(heading, subheading);
-    sheet.paintProfiles(profiles, limits, view);
+    paint(sheet);
   };
   return figure;
 }
 
+} // namespace
+
+Figure profileFigure(const std::vector<ProfileCurves>& profiles, const ProfileLimits& limits, const QString& heading,
+                     const QString& subheading, const ProfileView& view) {
+  return pageUnder(heading, subheading, [=](ProfilePage& sheet) { sheet.paintProfiles(profiles, limits, view); });
+}
+
 Figure pathFigure(const std::vector<ProfileCurves>& profiles, const PathSetting& setting, const QString& heading,
                   const QString& subheading, const PathView& view) {
-  Figure figure;
-  figure.title = heading;
-  figure.paint = [=, page = figure.page](QCPPainter& painter) {
-    ProfilePage sheet(painter, page);
-    sheet.paintHeading(heading, subheading);
-    sheet.paintPath(profiles, setting, view);
-  };
-  return figure;
+  return pageUnder(heading, subheading, [=](ProfilePage& sheet) { sheet.paintPath(profiles, setting, view); });
 }
 
 QString profileSubheading(const job::Job& job) {

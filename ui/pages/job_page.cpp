@@ -27,8 +27,8 @@ namespace {
 
 constexpr int kRecipeWidth = 236;
 constexpr int kFindingsWidth = 540;
-constexpr int kBesideFrom = 1500; // px: from this width on the findings stand beside the drawing
-constexpr int kNarrowest = 900;   // px, in the smallest window
+constexpr int kBesideFrom = 1500;   // px: from this width on the findings stand beside the drawing
+constexpr int kNarrowestPage = 900; // px, in the smallest window
 constexpr int kStateSignSize = 24;
 constexpr int kComplaintWidth = 520;
 constexpr int kComplaintMargin = 10;
@@ -252,7 +252,7 @@ void JobPage::arrange() {
 // What stands side by side stands below each other in a narrower window.
 QSize JobPage::minimumSizeHint() const {
   const QSize now = QWidget::minimumSizeHint();
-  return {std::min(now.width(), kNarrowest), now.height()};
+  return {std::min(now.width(), kNarrowestPage), now.height()};
 }
 
 void JobPage::showComplaint(const QString& complaint) {
