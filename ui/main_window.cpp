@@ -58,10 +58,11 @@ void showWith(const files::Settings& settings) {
 
 MainWindow::MainWindow(const MachineSetup& setup, PlannerSteps steps, QWidget* parent)
     : QMainWindow(parent), m_preferences(setup.folder, setup.machine),
-      m_planner(m_preferences.machine(), std::move(steps)), m_machine(on(m_preferences.machine(), setup)),
-      m_shown(m_preferences.settings()) {
+      m_planner(m_preferences.machine(), std::move(steps)), m_desk(m_planner, setup.folder),
+      m_machine(on(m_preferences.machine(), setup)), m_shown(m_preferences.settings()) {
   setAcceptDrops(true);
   m_planner.setRecipe(m_preferences.lastRecipe());
+  m_desk.history.forget();
   showWith(m_shown);
   if (!m_shown.language.empty()) {
     speak(QString::fromStdString(m_shown.language));
@@ -83,9 +84,14 @@ MainWindow::MainWindow(const MachineSetup& setup, PlannerSteps steps, QWidget* p
   });
   connect(&m_preferences, &Preferences::changed, this, &MainWindow::applySettings, Qt::QueuedConnection);
   connect(&m_preferences, &Preferences::problemsArose, this, &MainWindow::tellProblems);
-  connect(&m_alarms.backUps, &BackUps::restoring, &m_preferences,
-          [this](bool restores) { m_preferences.setKeeping(!restores); });
+  connect(&m_alarms.backUps, &BackUps::restoring, &m_preferences, [this](bool restores) {
+    m_preferences.setKeeping(!restores);
+    m_desk.book.setKeeping(!restores);
+  });
   tellProblems();
+  for (const base::Problem& problem : m_desk.book.refresh()) {
+    m_machine.complain(problem);
+  }
   showTitle();
 }
 
@@ -98,7 +104,7 @@ void MainWindow::build() {
   m_strip = new ControlStrip(m_machine);
   m_banner = new AlarmBanner(m_machine);
   m_pages = new QStackedWidget;
-  auto* job = new JobPage(m_planner);
+  auto* job = new JobPage(m_planner, m_desk);
   addPage(job, tr("Job"), QStringLiteral("pageJob"));
   addPage(new SetupPage(m_machine), tr("Setup"), QStringLiteral("pageSetup"));
   addPage(new RunPage(m_planner, m_machine), tr("Run"), QStringLiteral("pageRun"));
@@ -126,8 +132,10 @@ void MainWindow::build() {
   connect(m_strip, &ControlStrip::lockRequested, this, [this] { setLocked(true); });
   connect(m_cover, &WipeCover::ended, this, [this] { setLocked(false); });
   connect(job, &JobPage::openRequested, this, &MainWindow::askForPattern);
-  connect(&m_preferences, &Preferences::openChanged, job,
-          [this, job] { job->setEngineeringEnabled(m_preferences.isOpen()); });
+  connect(&m_preferences, &Preferences::openChanged, job, [this, job] {
+    job->setEngineeringEnabled(m_preferences.isOpen());
+    m_desk.history.forget(); // undo must not change what is locked
+  });
   job->setEngineeringEnabled(m_preferences.isOpen());
 }
 
@@ -174,6 +182,9 @@ void MainWindow::setLocked(bool locked) {
   m_banner->setLocked(locked);
   if (locked) {
     delete findChild<Keypad*>();
+    for (QDialog* dialog : findChildren<QDialog*>()) {
+      dialog->close();
+    }
     m_cover->begin();
   }
 }

@@ -4,6 +4,7 @@
 #include "ui/presenters/machine_link.h"
 #include "ui/presenters/preferences.h"
 #include "ui/presenters/profile_files.h"
+#include "ui/presenters/recipe_desk.h"
 
 #include <QMainWindow>
 #include <QPointer>
@@ -75,6 +76,7 @@ private:
 
   Preferences m_preferences;
   Planner m_planner;
+  RecipeDesk m_desk;
   MachineLink m_machine;
   ProfileFiles m_profileFiles;
   AlarmsState m_alarms{m_machine};

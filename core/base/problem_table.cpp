@@ -27,7 +27,7 @@ const std::vector<CodeInfo>& allCodes() {
       {RecordDamaged, "record-damaged", Warning,
        "{file} is not whole: {reason} at byte {byte}. What can be read is used."},
       {FileSetAside, "file-set-aside", Warning,
-       "{file} is damaged: it was kept as {aside}, and defaults are in effect."},
+       "{file} is damaged and has no effect; it was kept as {aside}."},
       {CountersDamaged, "counters-damaged", Warning,
        "{file} is damaged and was kept as {kept}; hours and metres are counted from zero."},
       {BundleMalformed, "bundle-malformed", Error, "{file} is not a back-up that can be restored: {reason}."},

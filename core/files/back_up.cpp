@@ -1,9 +1,9 @@
 #include "core/files/back_up.h"
 
-#include "core/base/utf8.h"
 #include "core/files/counters.h"
 #include "core/files/file_hash.h"
 #include "core/files/json_members.h"
+#include "core/files/recipe_folder.h"
 #include "core/files/record_folder.h"
 #include "core/files/run_record.h"
 #include "core/files/settings_json.h"
@@ -37,25 +37,20 @@ const StateFolder kInside;
 const std::array<std::string, 4> kSettingsFiles{kInside.settings().string(), kInside.machine().string(),
                                                 kInside.recipe().string(), kInside.counters().string()};
 const std::string kRecipesFolder = kInside.recipes().string() + '/';
-constexpr std::string_view kJsonEnding = ".json";
-constexpr std::size_t kLongestRecipeName = 255; // bytes, of most file systems
 
 constexpr std::size_t kRecordsOfSupport = 3;
 constexpr std::uintmax_t kLargestRecordOfSupport = 50'000'000; // bytes
 
-bool isRecipeName(std::string_view name) {
-  if (!name.starts_with(kRecipesFolder)) {
+bool isRecipeFile(std::string_view name) {
+  if (!name.starts_with(kRecipesFolder) || !name.ends_with(kRecipeEnding)) {
     return false;
   }
   name.remove_prefix(kRecipesFolder.size());
-  const bool isPlain = std::none_of(name.begin(), name.end(),
-                                    [](char c) { return c == '/' || c == '\\' || (c >= 0 && c < ' ') || c == '\x7f'; });
-  return isPlain && name.ends_with(kJsonEnding) && name.size() > kJsonEnding.size() &&
-         name.size() <= kLongestRecipeName && name.front() != '.' && base::isUtf8(name);
+  return name.size() > kRecipeEnding.size() && isRecipeName(name.substr(0, name.size() - kRecipeEnding.size()));
 }
 
 bool isOfBackUp(std::string_view name) {
-  return std::find(kSettingsFiles.begin(), kSettingsFiles.end(), name) != kSettingsFiles.end() || isRecipeName(name);
+  return std::find(kSettingsFiles.begin(), kSettingsFiles.end(), name) != kSettingsFiles.end() || isRecipeFile(name);
 }
 
 // Files of the folder that are of a back-up, sorted so that the same folder gives the same back-up.
@@ -76,7 +71,7 @@ Expected<std::vector<std::string>> namesOfBackUp(const fs::path& folder) {
        entry.increment(error)) {
     std::string name = kRecipesFolder + entry->path().filename().string();
     std::error_code gone;
-    if (isRecipeName(name) && entry->is_regular_file(gone)) {
+    if (isRecipeFile(name) && entry->is_regular_file(gone)) {
       found.push_back(std::move(name));
     }
   }

@@ -44,4 +44,10 @@ base::Expected<path> setAside(const path& file) {
   return base::Unexpected(systemProblem(base::Code::CannotWrite, file, errno));
 }
 
+base::Problem setAsideAndTell(const path& file) {
+  const auto aside = setAside(file);
+  return aside ? base::Problem(base::Code::FileSetAside, {{"file", file.string()}, {"aside", aside->string()}})
+               : aside.error();
+}
+
 } // namespace arris::files

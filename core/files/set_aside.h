@@ -12,4 +12,7 @@ namespace arris::files {
 /// CannotWrite with the reason, and the file stays where it is, also where there is none.
 [[nodiscard]] base::Expected<std::filesystem::path> setAside(const std::filesystem::path& file);
 
+/// The same, and what to tell of it: FileSetAside, or why it could not be done.
+[[nodiscard]] base::Problem setAsideAndTell(const std::filesystem::path& file);
+
 } // namespace arris::files

@@ -149,6 +149,33 @@ std::span<const FlagField> flagFields() {
   return kFields;
 }
 
+std::vector<std::string_view> differences(const Recipe& a, const Recipe& b) {
+  std::vector<std::string_view> keys;
+  const auto compare = [&](const auto& fields) {
+    for (const auto& field : fields) {
+      if (a.*field.member != b.*field.member) {
+        keys.push_back(field.key);
+      }
+    }
+  };
+  compare(numberFields());
+  for (const ChoiceField& field : choiceFields()) {
+    if (field.get(a) != field.get(b)) {
+      keys.push_back(field.key);
+    }
+  }
+  compare(placeFields());
+  compare(listFields());
+  compare(flagFields());
+  return keys;
+}
+
+bool isEngineering(std::string_view key) {
+  static constexpr std::array<std::string_view, 5> kEngineering{"accel_x_mm_s2", "accel_y_mm_s2", "accel_z_mm_s2",
+                                                                "corner_speed_percent", "acceleration_rule"};
+  return std::find(kEngineering.begin(), kEngineering.end(), key) != kEngineering.end();
+}
+
 std::span<const MachineNumberField> machineNumberFields() {
   static constexpr std::array kFields = {
       MachineNumberField{"plunge_feed_mm_min", "mm/min", "Feed of plunges", &Machine::plungeFeed, 1, 60000},

@@ -65,6 +65,12 @@ inline constexpr double kFarthestPlace = 100000; ///< mm
 [[nodiscard]] std::span<const ListField> listFields();
 [[nodiscard]] std::span<const FlagField> flagFields();
 
+/// Keys of what two recipes differ in, in the order of the tables.
+[[nodiscard]] std::vector<std::string_view> differences(const Recipe& a, const Recipe& b);
+
+/// Whether a value is the technologist's, which a code can protect: accelerations and how corners are taken.
+[[nodiscard]] bool isEngineering(std::string_view key);
+
 /// A number of the machine.
 struct MachineNumberField {
   std::string_view key;

@@ -5,11 +5,11 @@
 #include "ui/widgets/segments.h"
 #include "ui/widgets/signs.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/touch_table.h"
 
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QScroller>
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
 #include <QTableView>
@@ -93,26 +93,16 @@ QWidget* AlarmPanel::makeButtons() {
 void AlarmPanel::setUpTable() {
   m_table->setObjectName(QStringLiteral("alarms"));
   m_table->setModel(m_model);
-  m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-  m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-  m_table->setTabKeyNavigation(false);
-  m_table->setShowGrid(false);
-  m_table->setAlternatingRowColors(true);
+  makeTouchTable(*m_table);
   m_table->setWordWrap(true);
   m_table->setIconSize(QSize(kAlarmSign, kAlarmSign));
-  m_table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // nothing jumps when it fills
   m_table->setItemDelegateForColumn(AlarmModel::What, new SentenceDelegate(m_table));
-  m_table->verticalHeader()->hide();
   m_table->verticalHeader()->setDefaultSectionSize(kAlarmRowHeight);
-  m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  m_table->horizontalHeader()->setSectionsClickable(false);
-  m_table->horizontalHeader()->setHighlightSections(false);
   m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   m_table->horizontalHeader()->setSectionResizeMode(AlarmModel::What, QHeaderView::Stretch);
-  QScroller::grabGesture(m_table->viewport(), QScroller::TouchGesture);
 }
 
 // By all that may stand in a column, not by what stands there: thousands of rows would have to be measured.

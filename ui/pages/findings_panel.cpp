@@ -5,14 +5,13 @@
 #include "ui/models/time_model.h"
 #include "ui/widgets/corner_card.h"
 #include "ui/widgets/signs.h"
-#include "ui/widgets/theme.h"
 #include "ui/widgets/touch_delegate.h"
+#include "ui/widgets/touch_table.h"
 
 #include <QBoxLayout>
 #include <QHeaderView>
 #include <QListView>
 #include <QScrollArea>
-#include <QScroller>
 #include <QTableView>
 
 #include <algorithm>
@@ -24,25 +23,10 @@ constexpr int kProblemTab = 1;
 constexpr int kCardWidth = 300;
 constexpr int kSideBySideFrom = 1160; // px: the card needs room for its plot beside its figures
 
-void makeTouchable(QAbstractScrollArea& area) {
-  QScroller::grabGesture(area.viewport(), QScroller::TouchGesture);
-}
-
 QTableView* makeTable(QAbstractItemModel* model) {
   auto* table = new QTableView;
   table->setModel(model);
-  table->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table->setSelectionMode(QAbstractItemView::SingleSelection);
-  table->setTabKeyNavigation(false);
-  table->setShowGrid(false);
-  table->setAlternatingRowColors(true);
-  table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  table->verticalHeader()->hide();
-  table->verticalHeader()->setDefaultSectionSize(kTouch);
-  table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  table->horizontalHeader()->setSectionsClickable(false);
-  table->horizontalHeader()->setHighlightSections(false);
-  makeTouchable(*table);
+  makeTouchTable(*table);
   return table;
 }
 

@@ -1,9 +1,10 @@
 #include "ui/pages/help_page.h"
 
+#include "ui/widgets/touch_table.h"
+
 #include <QCoreApplication>
 #include <QFile>
 #include <QScrollBar>
-#include <QScroller>
 #include <QTextBlock>
 #include <QTextDocument>
 
@@ -35,7 +36,7 @@ HelpPage::HelpPage(QWidget* parent) : QTextBrowser(parent) {
   document()->setDocumentMargin(kManualMargin);
   //: The language that the manual is read in: that of this translation, "de" or "zh_CN".
   setMarkdown(manualIn(tr("en", "language of the manual")));
-  QScroller::grabGesture(viewport(), QScroller::TouchGesture);
+  makeTouchable(*this);
 }
 
 void HelpPage::showPart(const QString& page) {

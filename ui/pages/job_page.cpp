@@ -3,7 +3,6 @@
 #include "ui/figures/profile_plot.h"
 #include "ui/pages/findings_panel.h"
 #include "ui/pages/recipe_panel.h"
-#include "ui/text/file_texts.h"
 #include "ui/text/problem_texts.h"
 #include "ui/text/quantities.h"
 #include "ui/views/drawing_view.h"
@@ -45,10 +44,10 @@ QToolButton* makeButton(const QString& text, const QString& name) {
 
 } // namespace
 
-JobPage::JobPage(Planner& planner, QWidget* parent)
-    : QWidget(parent), m_planner(planner), m_recipe(new RecipePanel(planner.recipe(), planner.machine())),
-      m_drawing(new DrawingView), m_profile(new ProfilePlot(screenStyle(kPlotUnit))), m_findings(new FindingsPanel),
-      m_stateSign(new QLabel), m_state(new QLabel), m_complaint(new QLabel(this)), m_busy(new BusyBar(tr("Planning"))),
+JobPage::JobPage(Planner& planner, RecipeDesk& desk, QWidget* parent)
+    : QWidget(parent), m_planner(planner), m_recipe(new RecipePanel(planner, desk)), m_drawing(new DrawingView),
+      m_profile(new ProfilePlot(screenStyle(kPlotUnit))), m_findings(new FindingsPanel), m_stateSign(new QLabel),
+      m_state(new QLabel), m_complaint(new QLabel(this)), m_busy(new BusyBar(tr("Planning"))),
       m_viewButtons(new QButtonGroup(this)), m_views(new QSplitter(Qt::Vertical)),
       m_split(new QSplitter(Qt::Vertical)) {
   m_recipe->setFixedWidth(kRecipeWidth);
@@ -146,8 +145,6 @@ QWidget* JobPage::makeViews() {
 }
 
 void JobPage::connectPlanner() {
-  connect(m_recipe, &RecipePanel::recipeChanged, &m_planner, &Planner::setRecipe);
-  connect(&m_planner, &Planner::recipeChanged, m_recipe, &RecipePanel::setRecipe);
   connect(m_recipe, &RecipePanel::complaintChanged, this, &JobPage::showComplaint);
   connect(m_recipe, &RecipePanel::openRequested, this, &JobPage::openRequested);
   connect(&m_planner, &Planner::planned, this, &JobPage::showPlan);
@@ -180,7 +177,7 @@ void JobPage::showPlan(const PlanPointer& plan) {
     m_profileShown = false; // another pattern: the profile is shown from the start
   }
   m_plan = plan;
-  m_recipe->setPatternName(nameOfFile(plan->import->file));
+  m_recipe->setPlan(*plan);
   m_drawing->setPlan(plan);
   m_findings->setPlan(plan);
   if (!plan->job.canBeGround()) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/presenters/planner.h"
+#include "ui/presenters/recipe_desk.h"
 
 #include <QWidget>
 
@@ -22,7 +23,7 @@ class JobPage : public QWidget {
   Q_OBJECT
 
 public:
-  explicit JobPage(Planner& planner, QWidget* parent = nullptr);
+  JobPage(Planner& planner, RecipeDesk& desk, QWidget* parent = nullptr);
 
   /// Whether the values that a code can protect may be changed.
   void setEngineeringEnabled(bool enabled);

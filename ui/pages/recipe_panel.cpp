@@ -1,166 +1,192 @@
 #include "ui/pages/recipe_panel.h"
 
-#include "core/base/numbers.h"
-#include "ui/text/job_texts.h"
-#include "ui/text/quantities.h"
-#include "ui/widgets/number_edit.h"
+#include "ui/pages/recipe_dialog.h"
+#include "ui/pages/recipe_fields.h"
+#include "ui/text/file_texts.h"
 #include "ui/widgets/segments.h"
 
-#include <QCheckBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalBlocker>
-#include <QStackedWidget>
 #include <QVBoxLayout>
-
-#include <algorithm>
-#include <array>
-#include <utility>
 
 namespace arris::ui {
 namespace {
 
-// In the order of the paper's man–machine interface.
-constexpr std::array kGrinding{&recipe::Recipe::wheelRadius, &recipe::Recipe::accelX, &recipe::Recipe::accelY,
-                               &recipe::Recipe::thickness,   &recipe::Recipe::depth,  &recipe::Recipe::feed,
-                               &recipe::Recipe::spindle};
+constexpr int kPanelGap = 4; // px
+constexpr int kNameHeight = 13;
 
-// What concerns the pane; the operator's first.
-constexpr std::array kPane{&recipe::Recipe::sizeCorrection, &recipe::Recipe::lead, &recipe::Recipe::overlap,
-                           &recipe::Recipe::rotate, &recipe::Recipe::smooth};
-
-// What a code can protect.
-constexpr std::array kEngineering{&recipe::Recipe::accelX, &recipe::Recipe::accelY};
-
-NumberSpec specOf(const recipe::NumberField& field, double most) {
-  return {toQString(field.key), fieldText(field), toQString(field.unit), field.least, std::min(most, field.most)};
-}
-
-double mostOn(const recipe::NumberField& field, const recipe::Machine& machine) {
-  if (field.member == &recipe::Recipe::accelX) {
-    return machine.maxAccel.x();
-  }
-  return field.member == &recipe::Recipe::accelY ? machine.maxAccel.y() : field.most;
+QString elidedTo(const QLabel& label, const QString& text) {
+  return label.fontMetrics().elidedText(text, Qt::ElideMiddle, label.width());
 }
 
 } // namespace
 
-double rimSpeed(const recipe::Recipe& recipe) {
-  return 2 * base::kPi * recipe.wheelRadius / 1000 * recipe.spindle / 60;
-}
-
-RecipePanel::RecipePanel(recipe::Recipe recipe, const recipe::Machine& machine, QWidget* parent)
-    : QWidget(parent), m_recipe(std::move(recipe)), m_open(new QPushButton(tr("&Open pattern…"))),
-      m_pattern(new QLabel), m_pages(new QStackedWidget), m_rimSpeed(new QLabel) {
-  m_open->setObjectName(QStringLiteral("open"));
-  m_open->setShortcut(QKeySequence::Open);
-  QWidget* grinding = makePage(kGrinding, machine);
-  grinding->layout()->addWidget(m_rimSpeed);
-  QWidget* pane = makePage(kPane, machine);
-  pane->layout()->addWidget(makeAcceptUnreached());
-  for (QWidget* page : {grinding, pane}) {
-    static_cast<QVBoxLayout*>(page->layout())->addStretch(1);
-    m_pages->addWidget(page);
-  }
+RecipePanel::RecipePanel(Planner& planner, RecipeDesk& desk, QWidget* parent)
+    : QWidget(parent), m_planner(planner), m_desk(desk), m_open(new QPushButton(tr("&Pattern…"))),
+      m_recipes(new QPushButton(tr("&Recipes…"))), m_pattern(new QLabel), m_recipe(new QLabel),
+      m_undo(makeStep(QStringLiteral("↶"), QStringLiteral("undo"), tr("Undo"), QKeySequence::Undo)),
+      m_redo(makeStep(QStringLiteral("↷"), QStringLiteral("redo"), tr("Redo"), QKeySequence::Redo)),
+      m_moreHeading(new QLabel), m_fields(new RecipeFields(planner.recipe(), planner.machine())) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 0, 8, 0);
   layout->setSpacing(2);
-  layout->addWidget(m_open);
-  layout->addWidget(m_pattern);
+  layout->addWidget(makeButtons());
+  layout->addWidget(makeNames());
   layout->addWidget(makePages());
-  layout->addWidget(m_pages);
-  layout->addStretch(1);
+  layout->addWidget(makeMore());
+  layout->addWidget(m_fields, 1);
   connect(m_open, &QPushButton::clicked, this, &RecipePanel::openRequested);
-  setPatternName({});
-  showRimSpeed();
+  connect(m_recipes, &QPushButton::clicked, this, &RecipePanel::askForRecipe);
+  connect(m_undo, &QPushButton::clicked, this, &RecipePanel::undo);
+  connect(m_redo, &QPushButton::clicked, &desk.history, &RecipeHistory::redo);
+  connect(m_fields, &RecipeFields::recipeChanged, &planner, &Planner::setRecipe);
+  connect(m_fields, &RecipeFields::fieldLeft, &desk.history, &RecipeHistory::endStep);
+  connect(m_fields, &RecipeFields::complaintChanged, this, &RecipePanel::complaintChanged);
+  connect(m_fields, &RecipeFields::complaintChanged, this, &RecipePanel::showSteps);
+  connect(&planner, &Planner::recipeChanged, m_fields, &RecipeFields::setRecipe);
+  connect(&planner, &Planner::recipeChanged, this, &RecipePanel::showNames);
+  connect(&desk.book, &RecipeBook::changed, this, &RecipePanel::showNames);
+  connect(&desk.history, &RecipeHistory::changed, this, &RecipePanel::showSteps);
+  showPage(RecipeFields::Grinding);
+  showSteps();
 }
 
-// Which of the two pages is shown.
+QPushButton* RecipePanel::makeStep(const QString& sign, const QString& name, const QString& what,
+                                   const QKeySequence& key) {
+  auto* button = new QPushButton;
+  button->setText(sign);
+  button->setObjectName(name);
+  button->setToolTip(what);
+  button->setAccessibleName(what);
+  button->setShortcut(key);
+  button->setProperty("sign", true);
+  return button;
+}
+
+QWidget* RecipePanel::makeButtons() {
+  m_open->setObjectName(QStringLiteral("open"));
+  m_open->setShortcut(QKeySequence::Open);
+  m_recipes->setObjectName(QStringLiteral("recipes"));
+  auto* buttons = new QWidget;
+  auto* row = new QHBoxLayout(buttons);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kPanelGap);
+  row->addWidget(m_open, 1);
+  row->addWidget(m_recipes, 1);
+  return buttons;
+}
+
+QWidget* RecipePanel::makeNames() {
+  m_pattern->setObjectName(QStringLiteral("patternName"));
+  m_recipe->setObjectName(QStringLiteral("recipeName"));
+  auto* names = new QWidget;
+  auto* row = new QHBoxLayout(names);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kPanelGap);
+  auto* column = new QVBoxLayout;
+  column->setSpacing(0);
+  QFont small = font();
+  small.setPixelSize(kNameHeight);
+  for (QLabel* label : {m_pattern, m_recipe}) {
+    label->setFont(small);
+    label->setMinimumWidth(1); // a name is shortened, never the buttons
+    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    column->addWidget(label);
+  }
+  row->addLayout(column, 1);
+  row->addWidget(m_undo);
+  row->addWidget(m_redo);
+  return names;
+}
+
 QWidget* RecipePanel::makePages() {
-  auto* pages =
-      new Segments({{QStringLiteral("showGrinding"), tr("Grinding")}, {QStringLiteral("showPane"), tr("Pane")}});
-  connect(pages, &Segments::picked, m_pages, &QStackedWidget::setCurrentIndex);
+  auto* pages = new Segments({{QStringLiteral("showGrinding"), tr("Grinding")},
+                              {QStringLiteral("showPane"), tr("Pane")},
+                              {QStringLiteral("showMore"), QStringLiteral("⋯")}});
+  pages->findChild<QAbstractButton*>(QStringLiteral("showMore"))->setAccessibleName(tr("More values"));
+  connect(pages, &Segments::picked, this,
+          [this](int page) { showPage(page == RecipeFields::More ? RecipeFields::More + m_morePage : page); });
   return pages;
 }
 
-QWidget* RecipePanel::makePage(std::span<double recipe::Recipe::*const> members, const recipe::Machine& machine) {
-  auto* page = new QWidget;
-  auto* layout = new QVBoxLayout(page);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(2);
-  for (double recipe::Recipe::*const member : members) {
-    const recipe::NumberField& field = recipe::numberField(member);
-    auto* edit = new NumberEdit(specOf(field, mostOn(field, machine)), m_recipe.*member);
-    m_fields.push_back({edit, member});
-    layout->addWidget(edit);
-    connect(edit, &NumberEdit::valueChanged, this, [this, member](double value) {
-      m_recipe.*member = value;
-      showRimSpeed();
-      Q_EMIT recipeChanged(m_recipe);
-    });
-    connect(edit, &NumberEdit::complaintChanged, this, &RecipePanel::showComplaint);
+QWidget* RecipePanel::makeMore() {
+  m_more = new QWidget;
+  auto* row = new QHBoxLayout(m_more);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kPanelGap);
+  const auto addTurn = [&](const QString& sign, const QString& name, const QString& what, int pages) {
+    QPushButton* button = makeStep(sign, name, what, {});
+    connect(button, &QPushButton::clicked, this, [this, pages] { turn(pages); });
+    row->addWidget(button);
+  };
+  addTurn(QStringLiteral("◀"), QStringLiteral("moreBack"), tr("Page before"), -1);
+  m_moreHeading->setObjectName(QStringLiteral("moreHeading"));
+  m_moreHeading->setAlignment(Qt::AlignCenter);
+  row->addWidget(m_moreHeading, 1);
+  addTurn(QStringLiteral("▶"), QStringLiteral("moreOn"), tr("Next page"), 1);
+  return m_more;
+}
+
+void RecipePanel::showPage(int page) {
+  m_more->setVisible(page >= RecipeFields::More);
+  m_fields->showPage(page);
+  m_moreHeading->setText(m_fields->moreHeadings().at(m_morePage));
+}
+
+void RecipePanel::turn(int pages) {
+  const auto count = static_cast<int>(m_fields->moreHeadings().size());
+  m_morePage = (m_morePage + pages + count) % count;
+  showPage(RecipeFields::More + m_morePage);
+}
+
+// What cannot be taken goes first: to the eye it was the last change.
+void RecipePanel::undo() {
+  if (!m_fields->dropWrongTexts()) {
+    m_desk.history.undo();
   }
-  return page;
 }
 
-QCheckBox* RecipePanel::makeAcceptUnreached() {
-  auto* accept = new QCheckBox(tr("Leave unground what\nthe wheel cannot reach"));
-  m_accept = accept;
-  accept->setObjectName(QStringLiteral("accept_unreached"));
-  accept->setChecked(m_recipe.acceptUnreached);
-  connect(accept, &QCheckBox::toggled, this, [this](bool on) {
-    m_recipe.acceptUnreached = on;
-    Q_EMIT recipeChanged(m_recipe);
-  });
-  return accept;
+void RecipePanel::askForRecipe() {
+  RecipeDialog::show(*this, m_planner, m_desk.book, m_isOpen);
 }
 
-void RecipePanel::setPatternName(const QString& name) {
-  m_pattern->setToolTip(name);
-  m_pattern->setText(name.isEmpty() ? tr("No pattern yet")
-                                    : fontMetrics().elidedText(name, Qt::ElideMiddle, width() - 16));
-}
-
-NumberEdit* RecipePanel::field(std::string_view key) const {
-  const auto found = std::find_if(m_fields.begin(), m_fields.end(),
-                                  [key](const Field& field) { return field.edit->spec().name == toQString(key); });
-  return found != m_fields.end() ? found->edit : nullptr;
-}
-
-// A field that has this value already keeps its text, also a wrong one.
-void RecipePanel::setRecipe(const recipe::Recipe& recipe) {
-  m_recipe = recipe;
-  for (const auto& [edit, member] : m_fields) {
-    if (edit->value() != m_recipe.*member) {
-      edit->setValue(m_recipe.*member);
-    }
-  }
-  const QSignalBlocker silent(m_accept);
-  m_accept->setChecked(m_recipe.acceptUnreached);
-  showRimSpeed();
+void RecipePanel::setPlan(const Plan& plan) {
+  m_patternName = nameOfFile(plan.import->file);
+  m_fields->setPlan(plan);
+  showNames();
 }
 
 void RecipePanel::setEngineeringEnabled(bool enabled) {
-  for (const auto& [edit, member] : m_fields) {
-    edit->setEnabled(enabled || std::find(kEngineering.begin(), kEngineering.end(), member) == kEngineering.end());
-  }
+  m_isOpen = enabled;
+  m_fields->setEngineeringEnabled(enabled);
 }
 
-void RecipePanel::showRimSpeed() {
-  m_rimSpeed->setText(tr("Rim speed: %1 m/s").arg(fixedText(rimSpeed(m_recipe), 1, QLocale())));
+NumberEdit* RecipePanel::field(std::string_view key) const {
+  return m_fields->field(key);
 }
 
-// One at a time, that of the field being typed into first: there is no room for more.
-void RecipePanel::showComplaint() {
-  QString complaint;
-  for (const auto& [edit, member] : m_fields) {
-    if (!edit->complaint().isEmpty() && (complaint.isEmpty() || edit->line()->hasFocus())) {
-      complaint = edit->complaint();
-    }
-  }
-  Q_EMIT complaintChanged(complaint.isEmpty()
-                              ? complaint
-                              : complaint + QLatin1Char('\n') + tr("The drawing still shows the last valid values."));
+void RecipePanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  showNames();
+}
+
+void RecipePanel::showNames() {
+  const QString& recipe = m_desk.book.current();
+  const QString shown = recipe.isEmpty()          ? tr("Unnamed recipe")
+                        : m_desk.book.isChanged() ? tr("%1, changed").arg(recipe)
+                                                  : recipe;
+  const QString pattern = m_patternName.isEmpty() ? tr("No pattern yet") : m_patternName;
+  m_pattern->setToolTip(pattern);
+  m_pattern->setText(elidedTo(*m_pattern, pattern));
+  m_recipe->setToolTip(shown);
+  m_recipe->setText(elidedTo(*m_recipe, shown));
+}
+
+void RecipePanel::showSteps() {
+  const bool hasWrong = m_fields->hasWrongText();
+  m_undo->setEnabled(hasWrong || m_desk.history.canUndo());
+  m_redo->setEnabled(m_desk.history.canRedo());
 }
 
 } // namespace arris::ui

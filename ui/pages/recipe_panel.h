@@ -1,74 +1,69 @@
 #pragma once
 
-#include "core/recipe/fields.h"
+#include "ui/presenters/recipe_desk.h"
 
 #include <QWidget>
 
-#include <span>
 #include <string_view>
-#include <vector>
 
-class QCheckBox;
 class QLabel;
 class QPushButton;
-class QStackedWidget;
 
 namespace arris::ui {
 
 class NumberEdit;
+class RecipeFields;
 
-/// The operator's values: the pattern, the fields of the paper's man–machine interface, and on a second page what
-/// concerns the pane. Only values that are valid leave it.
+/// The operator's values: the pattern, the recipe with its name, undo and redo, and a field for every value.
 class RecipePanel : public QWidget {
   Q_OBJECT
 
 public:
-  RecipePanel(recipe::Recipe recipe, const recipe::Machine& machine, QWidget* parent = nullptr);
-
-  [[nodiscard]] const recipe::Recipe& recipe() const {
-    return m_recipe;
-  }
-
-  /// Shows a recipe that somebody else has changed, without saying so.
-  void setRecipe(const recipe::Recipe& recipe);
+  RecipePanel(Planner& planner, RecipeDesk& desk, QWidget* parent = nullptr);
 
   /// Whether the values that a code can protect may be changed.
   void setEngineeringEnabled(bool enabled);
 
-  /// The name of the pattern that is shown.
-  void setPatternName(const QString& name);
+  void setPlan(const Plan& plan);
 
-  /// The field with this key of the recipe; null where the panel has none.
+  /// The field with this key of the recipe; null where it is no number.
   [[nodiscard]] NumberEdit* field(std::string_view key) const;
 
 Q_SIGNALS:
-  void recipeChanged(const arris::recipe::Recipe& recipe);
   void openRequested();
   /// What is wrong with a field, in words, with what stays in effect; empty where nothing is.
   void complaintChanged(const QString& complaint);
 
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+
 private:
-  struct Field {
-    NumberEdit* edit;
-    double recipe::Recipe::*member;
-  };
-
+  QWidget* makeButtons();
+  QWidget* makeNames();
   QWidget* makePages();
-  QWidget* makePage(std::span<double recipe::Recipe::*const> members, const recipe::Machine& machine);
-  QCheckBox* makeAcceptUnreached();
-  void showComplaint();
-  void showRimSpeed();
+  QWidget* makeMore();
+  QPushButton* makeStep(const QString& sign, const QString& name, const QString& what, const QKeySequence& key);
+  void showPage(int page);
+  void turn(int pages);
+  void undo();
+  void askForRecipe();
+  void showNames();
+  void showSteps();
 
-  recipe::Recipe m_recipe;
+  Planner& m_planner;
+  RecipeDesk& m_desk;
   QPushButton* m_open;
+  QPushButton* m_recipes;
   QLabel* m_pattern;
-  QStackedWidget* m_pages;
-  std::vector<Field> m_fields;
-  QCheckBox* m_accept = nullptr;
-  QLabel* m_rimSpeed;
+  QLabel* m_recipe;
+  QPushButton* m_undo;
+  QPushButton* m_redo;
+  QLabel* m_moreHeading;
+  QWidget* m_more = nullptr; // turns the pages of what is seldom changed
+  RecipeFields* m_fields;
+  QString m_patternName;
+  int m_morePage = 0;
+  bool m_isOpen = true;
 };
-
-/// Speed of the wheel's rim, m/s.
-[[nodiscard]] double rimSpeed(const recipe::Recipe& recipe);
 
 } // namespace arris::ui

@@ -6,6 +6,7 @@
 #include "ui/text/translators.h"
 #include "ui/widgets/number_edit.h"
 #include "ui/widgets/segments.h"
+#include "ui/widgets/touch_table.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -16,7 +17,6 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
-#include <QScroller>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -213,7 +213,7 @@ QWidget* SettingsPage::makeMachine() {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  QScroller::grabGesture(scroll->viewport(), QScroller::TouchGesture);
+  makeTouchable(*scroll);
   return scroll;
 }
 

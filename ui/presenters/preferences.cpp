@@ -38,12 +38,7 @@ Value readOr(const Value& defaults, const fs::path& file, const Reader<Value>& r
   if (!base::hasErrors(read.problems)) {
     return read.value;
   }
-  if (const auto aside = files::setAside(file)) {
-    problems.emplace_back(base::Code::FileSetAside,
-                          std::vector<base::Value>{{"file", file.string()}, {"aside", aside->string()}});
-  } else {
-    problems.push_back(aside.error());
-  }
+  problems.push_back(files::setAsideAndTell(file));
   return defaults;
 }
 

@@ -35,6 +35,26 @@ QString fieldText(const recipe::NumberField& field) {
   return QCoreApplication::translate("Recipe", std::string(field.what).c_str());
 }
 
+ChoiceTexts choiceTexts(const recipe::ChoiceField& field) {
+  const auto say = [](const char* text) { return QCoreApplication::translate("Recipe", text); };
+  if (field.key == "acceleration_rule") {
+    return {say(QT_TRANSLATE_NOOP("Recipe", "Accelerations bind")),
+            {say(QT_TRANSLATE_NOOP("Recipe", "each axis")), say(QT_TRANSLATE_NOOP("Recipe", "X and Y together"))}};
+  }
+  if (field.key == "direction") {
+    return {say(QT_TRANSLATE_NOOP("Recipe", "Direction round the pane")),
+            {say(QT_TRANSLATE_NOOP("Recipe", "clockwise")), say(QT_TRANSLATE_NOOP("Recipe", "counter-clockwise"))}};
+  }
+  if (field.key == "mirror") {
+    return {say(QT_TRANSLATE_NOOP("Recipe", "Mirror the pattern")),
+            {say(QT_TRANSLATE_NOOP("Recipe", "no")), say(QT_TRANSLATE_NOOP("Recipe", "left to right (X)")),
+             say(QT_TRANSLATE_NOOP("Recipe", "top to bottom (Y)"))}};
+  }
+  return {say(QT_TRANSLATE_NOOP("Recipe", "Unit of the drawing")),
+          {QStringLiteral("mm"), QStringLiteral("cm"), QStringLiteral("m"), say(QT_TRANSLATE_NOOP("Recipe", "inch")),
+           say(QT_TRANSLATE_NOOP("Recipe", "foot"))}};
+}
+
 const std::vector<const char*>& machineFieldNames() {
   static const std::vector<const char*> kNames = {
       QT_TRANSLATE_NOOP("Machine", "Feed of plunges"),

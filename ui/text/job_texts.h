@@ -4,6 +4,7 @@
 #include "core/recipe/fields.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <string_view>
 #include <vector>
@@ -19,6 +20,13 @@ namespace arris::ui {
 
 /// What a field of the recipe is: "Wheel radius".
 [[nodiscard]] QString fieldText(const recipe::NumberField& field);
+
+/// What a choice of the recipe is, and its words in the order of the field's.
+struct ChoiceTexts {
+  QString caption;
+  QStringList words;
+};
+[[nodiscard]] ChoiceTexts choiceTexts(const recipe::ChoiceField& field);
 
 /// The English names of the fields as the translators get them; core's table has no others.
 [[nodiscard]] const std::vector<const char*>& fieldNames();

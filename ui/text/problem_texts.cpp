@@ -63,7 +63,7 @@ const std::vector<const char*>& problemTemplates() {
       QT_TRANSLATE_NOOP("Problem", "{file} is not a profile of Arris: {reason}."),
       QT_TRANSLATE_NOOP("Problem", "{file} is not the record of a run: {reason}."),
       QT_TRANSLATE_NOOP("Problem", "{file} is not whole: {reason} at byte {byte}. What can be read is used."),
-      QT_TRANSLATE_NOOP("Problem", "{file} is damaged: it was kept as {aside}, and defaults are in effect."),
+      QT_TRANSLATE_NOOP("Problem", "{file} is damaged and has no effect; it was kept as {aside}."),
       QT_TRANSLATE_NOOP("Problem", "{file} is damaged and was kept as {kept}; hours and metres are counted from zero."),
       QT_TRANSLATE_NOOP("Problem", "{file} is not a back-up that can be restored: {reason}."),
       QT_TRANSLATE_NOOP("Problem", "The pattern file is empty."),

@@ -18,8 +18,10 @@ Segments::Segments(const std::vector<std::pair<QString, QString>>& buttons, int 
     button->setObjectName(name);
     button->setCheckable(true);
     button->setChecked(index == chosen);
+    const bool isSign = text.size() == 1;
+    button->setProperty(isSign ? "sign" : "segment", true);
     group->addButton(button, index);
-    row->addWidget(button, 1);
+    row->addWidget(button, isSign ? 0 : 1);
   }
   connect(group, &QButtonGroup::idClicked, this, &Segments::picked);
 }

@@ -85,6 +85,7 @@ QPushButton:checked, QToolButton:checked { background: @chosen; color: @chosenTe
 QPushButton:disabled, QToolButton:disabled { color: @disabled; border-color: @lightLine; }
 QPushButton:checked:disabled, QToolButton:checked:disabled { background: @disabledChosen; }
 QToolButton[sign="true"], QPushButton[sign="true"] { padding: 0; }
+QPushButton[segment="true"] { padding: 0 4px; }
 QCheckBox { min-height: 44px; spacing: 6px; border: 2px solid transparent; }
 QCheckBox::indicator { width: 26px; height: 26px; border: 2px solid @line; border-radius: 4px; background: @field; }
 QCheckBox::indicator:checked { image: url(:/signs/@check.svg); }

@@ -1,6 +1,7 @@
 #include "tests/support/panes.h"
 #include "ui/models/corner_model.h"
 #include "ui/models/problem_model.h"
+#include "ui/models/recipe_model.h"
 #include "ui/models/time_model.h"
 #include "ui/text/quantities.h"
 
@@ -136,6 +137,23 @@ TEST(TimeModel, SumsUpToTheWholeProgram) {
   const int last = model.rowCount() - 1;
   EXPECT_EQ(cell(model, last, TimeModel::What), "Whole program");
   EXPECT_EQ(cell(model, last, TimeModel::Share), "100\u00a0%");
+}
+
+TEST(RecipeModel, ShowsNamesWithWhatTellsRecipesApart) {
+  RecipeModel model;
+  const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+  recipe::Recipe thin;
+  thin.thickness = 3.5;
+  thin.depth = 0.125;
+  model.setRecipes({{"thin", thin}, {"thick", {}}});
+  EXPECT_EQ(model.rowCount(), 2);
+  EXPECT_EQ(cell(model, 0, RecipeModel::Name), "thin");
+  EXPECT_EQ(cell(model, 0, RecipeModel::Thickness), "3.5");
+  EXPECT_EQ(cell(model, 0, RecipeModel::Depth), "0.125");
+  EXPECT_EQ(model.rowOf("thick"), 1);
+  EXPECT_EQ(model.rowOf("other"), -1);
+  model.setRecipes({});
+  EXPECT_EQ(model.rowCount(), 0);
 }
 
 TEST(TimeModel, IsEmptyWhereNothingCanBeGround) {

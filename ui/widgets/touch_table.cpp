@@ -1,0 +1,30 @@
+#include "ui/widgets/touch_table.h"
+
+#include "ui/widgets/theme.h"
+
+#include <QHeaderView>
+#include <QScroller>
+#include <QTableView>
+
+namespace arris::ui {
+
+void makeTouchable(QAbstractScrollArea& area) {
+  QScroller::grabGesture(area.viewport(), QScroller::TouchGesture);
+}
+
+void makeTouchTable(QTableView& table) {
+  table.setSelectionBehavior(QAbstractItemView::SelectRows);
+  table.setSelectionMode(QAbstractItemView::SingleSelection);
+  table.setTabKeyNavigation(false);
+  table.setShowGrid(false);
+  table.setAlternatingRowColors(true);
+  table.setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  table.verticalHeader()->hide();
+  table.verticalHeader()->setDefaultSectionSize(kTouch);
+  table.verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table.horizontalHeader()->setSectionsClickable(false);
+  table.horizontalHeader()->setHighlightSections(false);
+  makeTouchable(table);
+}
+
+} // namespace arris::ui
