@@ -4,6 +4,7 @@
 #include "ui/presenters/machine_link.h"
 #include "ui/presenters/preferences.h"
 #include "ui/presenters/profile_files.h"
+#include "ui/presenters/wheel_walk.h"
 
 #include <QMainWindow>
 #include <QPointer>
@@ -44,6 +45,10 @@ public:
     return m_planner;
   }
 
+  [[nodiscard]] WheelWalk& wheelWalk() {
+    return m_wheelWalk;
+  }
+
   [[nodiscard]] MachineLink& machine() {
     return m_machine;
   }
@@ -75,6 +80,7 @@ private:
 
   Preferences m_preferences;
   Planner m_planner;
+  WheelWalk m_wheelWalk{m_planner};
   MachineLink m_machine;
   ProfileFiles m_profileFiles;
   AlarmsState m_alarms{m_machine};
