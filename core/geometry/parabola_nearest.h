@@ -4,7 +4,7 @@
 
 namespace arris::geometry {
 
-/// Nearest point of a parabola, to within 1 nm of the distance.
+/// Nearest point of a parabola.
 [[nodiscard]] Nearest nearestOnParabola(const Parabola& parabola, const Point& point);
 
 } // namespace arris::geometry

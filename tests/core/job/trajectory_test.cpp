@@ -128,9 +128,11 @@ TEST_P(Trajectories, FindAPlaceOfTheWayItself) {
     const Point place = placeAt(trajectory, time);
     const Trajectory::Near found = trajectory.nearest(place);
     EXPECT_LT(found.distance, 1e-6);
-    const Trajectory::Near kept = trajectory.nearest(place, time, 1);
-    EXPECT_NEAR(trajectory.at(kept.time).path, trajectory.at(time).path, 2)
-        << "a wheel that is dragged nowhere leaves its place";
+    if (trajectory.at(time).setPoint.velocity.z() == 0) { // else the hand cannot tell
+      const Trajectory::Near kept = trajectory.nearest(place, time, 1);
+      EXPECT_NEAR(trajectory.at(kept.time).path, trajectory.at(time).path, 1e-3)
+          << "a wheel that is dragged nowhere leaves its place";
+    }
   }
 }
 
@@ -195,11 +197,11 @@ TEST(Trajectory, StaysOnItsSideUntilTheHandIsAtAnother) {
   const Job job = planJob(test::polygon({{0, 0}, {600, 0}, {600, 90}, {0, 90}}), recipe, {});
   ASSERT_TRUE(job.canBeGround());
   const Trajectory trajectory(job); // sides at Y 195 and 295
-  const double lower = trajectory.nearest({500, 195}).time;
-  const auto draggedTo = [&](double y) { return placeAt(trajectory, trajectory.nearest({510, y}, lower, 40).time); };
+  const double lower = trajectory.nearest({300, 195}).time;
+  const auto draggedTo = [&](double y) { return placeAt(trajectory, trajectory.nearest({310, y}, lower, 40).time); };
   EXPECT_NEAR(draggedTo(195).y(), 195, 1e-6);
   EXPECT_NEAR(draggedTo(260).y(), 195, 1e-6); // 65 mm from the one, 35 mm from the other: within reach of as near
-  EXPECT_NEAR(draggedTo(260).x(), 510, 1e-6);
+  EXPECT_NEAR(draggedTo(260).x(), 310, 1e-6);
   EXPECT_NEAR(draggedTo(290).y(), 295, 1e-6);
 }
 

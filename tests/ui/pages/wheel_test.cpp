@@ -101,12 +101,12 @@ protected:
 
 TEST_F(WheelWindow, FollowsADragAlongAnEdge) {
   open("rectangle.dxf");
-  QTest::mouseClick(view().viewport(), Qt::LeftButton, {}, shown(below(300)));
-  ASSERT_LT((wheel() - below(300)).norm(), pixel()) << "a tap on the path puts the wheel there";
+  QTest::mouseClick(view().viewport(), Qt::LeftButton, {}, shown(below(650)));
+  ASSERT_LT((wheel() - below(650)).norm(), pixel()) << "a tap on the path puts the wheel there";
   const QTransform before = view().viewportTransform();
-  drag(shown(below(300)), shown(below(600)) + QPoint(0, 30)); // the hand strays from the path
-  EXPECT_NEAR(wheel().x(), below(600).x(), pixel());
-  EXPECT_NEAR(wheel().y(), below(600).y(), 1e-6);
+  drag(shown(below(650)), shown(below(750)) + QPoint(0, 30)); // the hand strays from the path
+  EXPECT_NEAR(wheel().x(), below(750).x(), pixel());
+  EXPECT_NEAR(wheel().y(), below(750).y(), 1e-6);
   EXPECT_EQ(view().viewportTransform(), before) << "the drawing does not move along";
   EXPECT_TRUE(text().contains(QStringLiteral("X %1").arg(wheel().x(), 0, 'f', 2))) << text().toStdString();
   EXPECT_TRUE(text().contains(QStringLiteral("Y %1").arg(below(0).y(), 0, 'f', 2))) << text().toStdString();
@@ -116,13 +116,13 @@ TEST_F(WheelWindow, FollowsADragAlongAnEdge) {
 
 TEST_F(WheelWindow, ShowsTheWheelWhereItIs) {
   open("rectangle.dxf");
-  m_window.wheelWalk().putTo(below(500), 1);
-  const QImage with = view().viewport()->grab().toImage();
   m_window.wheelWalk().putTo(below(700), 1);
+  const QImage with = view().viewport()->grab().toImage();
+  m_window.wheelWalk().putTo(below(300), 1);
   const QImage without = view().viewport()->grab().toImage();
-  const QPoint inside = shown(below(500)) - QPoint(0, 8); // beside the path, within 75 mm
+  const QPoint inside = shown(below(700)) - QPoint(0, 8); // beside the path, within 75 mm
   EXPECT_NE(with.pixel(inside), without.pixel(inside));
-  const QPoint outside = shown(below(500) - Point(0, 76 + 3 * pixel()));
+  const QPoint outside = shown(below(700) - Point(0, 76 + 3 * pixel()));
   EXPECT_EQ(with.pixel(outside), without.pixel(outside));
 }
 
@@ -144,8 +144,8 @@ TEST_F(WheelWindow, DoesNotTakeADragOfTheMachinesWheel) {
   QSignalSpy stepped(&run, &DrawingView::wheelStepped);
   m_window.findChild<QAbstractButton*>("pageRun")->click();
   settle();
-  run.setWheel(LiveWheel{below(500), {}});
-  const QPoint at = run.mapFromScene(QPointF(below(500).x(), below(500).y()));
+  run.setWheel(LiveWheel{below(700), {}});
+  const QPoint at = run.mapFromScene(QPointF(below(700).x(), below(700).y()));
   QTest::mousePress(run.viewport(), Qt::LeftButton, {}, at);
   QTest::mouseMove(run.viewport(), at + QPoint(60, 0));
   QTest::mouseRelease(run.viewport(), Qt::LeftButton, {}, at + QPoint(60, 0));
@@ -156,7 +156,7 @@ TEST_F(WheelWindow, DoesNotTakeADragOfTheMachinesWheel) {
 
 TEST_F(WheelWindow, StepsByButtonsAndKeysUpToTheEnds) {
   open("rectangle.dxf");
-  m_window.wheelWalk().putTo(below(500), 1);
+  m_window.wheelWalk().putTo(below(700), 1);
   const double from = m_window.wheelWalk().place()->path;
   button("wheelOn")->click();
   EXPECT_NEAR(m_window.wheelWalk().place()->path, from + 10, 1e-6);
@@ -206,7 +206,7 @@ TEST_F(WheelWindow, LeavesCornersAndFindingsTheirTaps) {
 
 TEST_F(WheelWindow, StaysWhenThePagesAreMadeAnew) {
   open("rectangle.dxf");
-  m_window.wheelWalk().putTo(below(500), 1);
+  m_window.wheelWalk().putTo(below(700), 1);
   const QString before = text();
   files::Settings settings = m_window.preferences().settings();
   settings.appearance = files::Settings::Appearance::Dark;
