@@ -10,12 +10,12 @@ namespace arris::job {
 namespace {
 
 /// Places that differ by no more are equally near, mm.
-constexpr double kSamePlace = 1e-9;
+constexpr double kAsNear = 1e-9;
 
 /// Halvings of the whole time, after which nothing of it is left.
-constexpr int kHalvings = 60;
+constexpr int kTimeHalvings = 60;
 
-geometry::FlatBox boxOf(const motion::Segment& segment) {
+geometry::FlatBox boxOnTable(const motion::Segment& segment) {
   if (motion::parameterLength(segment) <= 0 || std::holds_alternative<motion::Vertical>(segment.shape)) {
     return {};
   }
@@ -57,7 +57,7 @@ Trajectory::Trajectory(const Job& job) : m_job(job), m_before{0} {
   m_before.reserve(job.track.size() + 1);
   for (const motion::Segment& segment : job.track) {
     m_before.push_back(m_before.back() + motion::arcLength(segment, motion::parameterLength(segment)));
-    boxes.push_back(boxOf(segment));
+    boxes.push_back(boxOnTable(segment));
   }
   m_boxes = geometry::BoxTree(boxes);
 }
@@ -80,7 +80,7 @@ double Trajectory::timeAfter(double way) const {
   if (way <= 0) {
     return before;
   }
-  for (int i = 0; i < kHalvings; ++i) {
+  for (int i = 0; i < kTimeHalvings; ++i) {
     const double middle = (before + after) / 2;
     (at(middle).path < way ? before : after) = middle;
   }
@@ -120,12 +120,12 @@ Trajectory::Place Trajectory::nearestPlace(const geometry::Point& point) const {
   Place best{0, std::numeric_limits<double>::infinity()};
   const auto look = [&](std::size_t segment) {
     const Place place = nearestOn(segment, point);
-    const bool isNearer = place.distance < best.distance - kSamePlace;
-    const bool isEarlier = place.distance < best.distance + kSamePlace && place.way < best.way;
+    const bool isNearer = place.distance < best.distance - kAsNear;
+    const bool isEarlier = place.distance < best.distance + kAsNear && place.way < best.way;
     if (isNearer || isEarlier) {
       best = place;
     }
-    return place.distance + 2 * kSamePlace; // so that one as near is looked at too
+    return place.distance + 2 * kAsNear; // so that one as near is looked at too
   };
   (void)m_boxes.least(point, std::numeric_limits<double>::infinity(), look);
   return best;
@@ -153,7 +153,7 @@ Trajectory::Near Trajectory::nearest(const geometry::Point& point) const {
 Trajectory::Near Trajectory::nearest(const geometry::Point& point, double time, double reach) const {
   const Place anywhere = nearestPlace(point);
   Place here = nearestAround(point, at(time).path, reach);
-  for (Place next = nearestAround(point, here.way, reach); next.distance < here.distance - kSamePlace;
+  for (Place next = nearestAround(point, here.way, reach); next.distance < here.distance - kAsNear;
        next = nearestAround(point, here.way, reach)) {
     here = next;
   }

@@ -17,7 +17,7 @@ namespace {
 using geometry::Point;
 
 constexpr int kTrajectories = 20;
-constexpr int kPlaces = 100;
+constexpr int kTrajectoryPlaces = 100;
 
 class Trajectories : public testing::TestWithParam<int> {
 protected:
@@ -49,7 +49,7 @@ private:
 };
 
 // By chords of the way in the plane, a hundred to each segment of the track.
-double leastDistance(const Job& job, const Point& point) {
+double leastByChords(const Job& job, const Point& point) {
   constexpr int kChords = 100;
   double least = std::numeric_limits<double>::infinity();
   for (const motion::Segment& segment : job.track) {
@@ -62,7 +62,7 @@ double leastDistance(const Job& job, const Point& point) {
   return least;
 }
 
-Point placeAt(const Trajectory& trajectory, double time) {
+Point planeAt(const Trajectory& trajectory, double time) {
   return trajectory.at(time).setPoint.position.head<2>();
 }
 
@@ -99,7 +99,7 @@ TEST_P(Trajectories, TellWhenAWayHasBeenTravelled) {
   SCOPED_TRACE(note());
   const Trajectory trajectory(theJob());
   test::Dice dice(static_cast<std::uint64_t>(GetParam()));
-  for (int i = 0; i < kPlaces; ++i) {
+  for (int i = 0; i < kTrajectoryPlaces; ++i) {
     const double way = dice.between(0, trajectory.length());
     EXPECT_NEAR(trajectory.at(trajectory.timeAfter(way)).path, way, 1e-6);
   }
@@ -111,11 +111,11 @@ TEST_P(Trajectories, FindThePlaceThatIsNearest) {
   SCOPED_TRACE(note());
   const Trajectory trajectory(theJob());
   test::Dice dice(static_cast<std::uint64_t>(GetParam()));
-  for (int i = 0; i < kPlaces; ++i) {
+  for (int i = 0; i < kTrajectoryPlaces; ++i) {
     const Point point = anywhere(dice);
     const Trajectory::Near found = trajectory.nearest(point);
-    EXPECT_LE(found.distance, leastDistance(theJob(), point) + 1e-9) << point.transpose();
-    EXPECT_NEAR((placeAt(trajectory, found.time) - point).norm(), found.distance, 1e-6) << point.transpose();
+    EXPECT_LE(found.distance, leastByChords(theJob(), point) + 1e-9) << point.transpose();
+    EXPECT_NEAR((planeAt(trajectory, found.time) - point).norm(), found.distance, 1e-6) << point.transpose();
   }
 }
 
@@ -123,9 +123,9 @@ TEST_P(Trajectories, FindAPlaceOfTheWayItself) {
   SCOPED_TRACE(note());
   const Trajectory trajectory(theJob());
   test::Dice dice(static_cast<std::uint64_t>(GetParam()));
-  for (int i = 0; i < kPlaces; ++i) {
+  for (int i = 0; i < kTrajectoryPlaces; ++i) {
     const double time = dice.between(0, theJob().duration);
-    const Point place = placeAt(trajectory, time);
+    const Point place = planeAt(trajectory, time);
     const Trajectory::Near found = trajectory.nearest(place);
     EXPECT_LT(found.distance, 1e-6);
     if (trajectory.at(time).setPoint.velocity.z() == 0) { // else the hand cannot tell
@@ -143,10 +143,10 @@ TEST_P(Trajectories, DraggedAlongComeNearerThanWhatIsInReach) {
   const Trajectory trajectory(theJob());
   test::Dice dice(static_cast<std::uint64_t>(GetParam()));
   double time = theJob().duration / 3;
-  for (int i = 0; i < kPlaces; ++i) {
+  for (int i = 0; i < kTrajectoryPlaces; ++i) {
     const Point point = anywhere(dice);
     const Trajectory::Near found = trajectory.nearest(point, time, kReach);
-    EXPECT_LE(found.distance, leastDistance(theJob(), point) + kReach + 1e-9);
+    EXPECT_LE(found.distance, leastByChords(theJob(), point) + kReach + 1e-9);
     time = found.time;
   }
 }
@@ -159,7 +159,7 @@ TEST_P(Trajectories, FollowAHandThatGoesAlongTheWay) {
   for (int i = 0; i <= 2000; ++i) {
     const double ahead = trajectory.length() * i / 2000;
     const double there = trajectory.timeAfter(ahead);
-    time = trajectory.nearest(placeAt(trajectory, there), time, 30).time;
+    time = trajectory.nearest(planeAt(trajectory, there), time, 30).time;
     // down and up in one place the hand cannot tell
     if (std::abs(trajectory.at(there).setPoint.velocity.z()) == 0) {
       EXPECT_GE(trajectory.at(time).path, way - 60) << "it jumped back at " << ahead << " mm";
@@ -198,7 +198,7 @@ TEST(Trajectory, StaysOnItsSideUntilTheHandIsAtAnother) {
   ASSERT_TRUE(job.canBeGround());
   const Trajectory trajectory(job); // sides at Y 195 and 295
   const double lower = trajectory.nearest({300, 195}).time;
-  const auto draggedTo = [&](double y) { return placeAt(trajectory, trajectory.nearest({310, y}, lower, 40).time); };
+  const auto draggedTo = [&](double y) { return planeAt(trajectory, trajectory.nearest({310, y}, lower, 40).time); };
   EXPECT_NEAR(draggedTo(195).y(), 195, 1e-6);
   EXPECT_NEAR(draggedTo(260).y(), 195, 1e-6); // 65 mm from the one, 35 mm from the other: within reach of as near
   EXPECT_NEAR(draggedTo(260).x(), 310, 1e-6);
