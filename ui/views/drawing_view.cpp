@@ -21,6 +21,7 @@ constexpr double kFitMargin = 64;       // px: room for the corners' numbers
 constexpr double kZoomStep = 1.5;
 constexpr double kLeastScale = 0.01; // px per mm
 constexpr double kMostScale = 2000;
+constexpr double kTapReach = 26;    // px
 constexpr double kMarkRadius = 20;  // px
 constexpr double kCornerRoom = 1.8; // of the widest point of a transition
 constexpr double kPlaceRoom = 60;   // mm round a marked place
