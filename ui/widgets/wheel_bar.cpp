@@ -35,7 +35,8 @@ WheelBar::WheelBar(WheelWalk& walk, QWidget* parent)
   m_place->setObjectName(QStringLiteral("wheelPlace"));
   m_place->setAlignment(Qt::AlignCenter);
   m_place->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // the text never pushes the window larger
-  m_place->setFixedHeight(2 * m_place->fontMetrics().lineSpacing());
+  m_place->setText(QStringLiteral(" \n "));
+  m_place->setFixedHeight(m_place->sizeHint().height());
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(m_back);

@@ -1,12 +1,15 @@
 #include "tests/ui/support/locales.h"
 #include "tests/ui/support/steps.h"
 #include "ui/presenters/wheel_walk.h"
+#include "ui/text/quantities.h"
 #include "ui/text/wheel_text.h"
 
 #include <QSignalSpy>
 #include <QTest>
 
 #include <gtest/gtest.h>
+
+#include <set>
 
 namespace arris::ui {
 namespace {
