@@ -10,8 +10,7 @@
 namespace arris::ui {
 namespace {
 
-constexpr int kWheelTextSize = 14; // px
-constexpr int kStepDelay = 400;    // ms until a step that is kept pressed repeats
+constexpr int kStepDelay = 400; // ms until a step that is kept pressed repeats
 constexpr int kStepInterval = 80;
 
 QString elidedLines(const QLabel& label, const QString& text) {
@@ -29,9 +28,6 @@ WheelBar::WheelBar(WheelWalk& walk, QWidget* parent)
       m_back(addStep(QStringLiteral("◀"), QStringLiteral("wheelBack"), tr("Wheel back along its path"))),
       m_place(new QLabel),
       m_on(addStep(QStringLiteral("▶"), QStringLiteral("wheelOn"), tr("Wheel on along its path"))) {
-  QFont font = m_place->font();
-  font.setPixelSize(kWheelTextSize);
-  m_place->setFont(font);
   m_place->setObjectName(QStringLiteral("wheelPlace"));
   m_place->setAlignment(Qt::AlignCenter);
   m_place->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // the text never pushes the window larger
