@@ -104,7 +104,7 @@ void MainWindow::build() {
   m_strip = new ControlStrip(m_machine);
   m_banner = new AlarmBanner(m_machine);
   m_pages = new QStackedWidget;
-  auto* job = new JobPage(m_planner, m_desk);
+  auto* job = new JobPage(m_planner, m_desk, m_wheelWalk);
   addPage(job, tr("Job"), QStringLiteral("pageJob"));
   addPage(new SetupPage(m_machine), tr("Setup"), QStringLiteral("pageSetup"));
   addPage(new RunPage(m_planner, m_machine), tr("Run"), QStringLiteral("pageRun"));

@@ -5,6 +5,7 @@
 #include "ui/presenters/preferences.h"
 #include "ui/presenters/profile_files.h"
 #include "ui/presenters/recipe_desk.h"
+#include "ui/presenters/wheel_walk.h"
 
 #include <QMainWindow>
 #include <QPointer>
@@ -45,6 +46,10 @@ public:
     return m_planner;
   }
 
+  [[nodiscard]] WheelWalk& wheelWalk() {
+    return m_wheelWalk;
+  }
+
   [[nodiscard]] MachineLink& machine() {
     return m_machine;
   }
@@ -77,6 +82,7 @@ private:
   Preferences m_preferences;
   Planner m_planner;
   RecipeDesk m_desk;
+  WheelWalk m_wheelWalk{m_planner};
   MachineLink m_machine;
   ProfileFiles m_profileFiles;
   AlarmsState m_alarms{m_machine};

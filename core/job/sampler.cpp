@@ -1,4 +1,4 @@
-#include "core/job/job.h"
+#include "core/job/trajectory.h"
 
 #include <cmath>
 
@@ -39,21 +39,7 @@ Sample Sampler::next() {
   const double time = m_row < m_periods ? static_cast<double>(m_row) * m_period : m_job.duration;
   ++m_row;
   goTo(time);
-  const PlannedPiece& piece = m_job.pieces[m_piece];
-  const motion::Segment& segment = m_job.track[static_cast<std::size_t>(piece.motion.segment)];
-  Sample sample;
-  sample.setPoint = motion::setPointAt(piece.motion, segment, time);
-  sample.speed = sample.setPoint.velocity.norm();
-  sample.path = m_travelled + motion::arcLength(segment, sample.setPoint.lambda);
-  sample.contour = segment.contour;
-  sample.segment = segment.number;
-  sample.corner = piece.corner;
-  sample.phase = piece.phase;
-  if (piece.corner != 0) {
-    const toolpath::Corner& corner = m_job.toolpath.corners[static_cast<std::size_t>(piece.corner - 1)];
-    sample.distance = (sample.setPoint.position.head<2>() - corner.s).norm();
-  }
-  return sample;
+  return sampleOn(m_job, m_job.pieces[m_piece], m_travelled, time);
 }
 
 } // namespace arris::job

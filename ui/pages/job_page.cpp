@@ -3,12 +3,14 @@
 #include "ui/figures/profile_plot.h"
 #include "ui/pages/findings_panel.h"
 #include "ui/pages/recipe_panel.h"
+#include "ui/presenters/wheel_walk.h"
 #include "ui/text/problem_texts.h"
 #include "ui/text/quantities.h"
 #include "ui/views/drawing_view.h"
 #include "ui/widgets/busy_bar.h"
 #include "ui/widgets/signs.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/wheel_bar.h"
 
 #include <QBoxLayout>
 #include <QButtonGroup>
@@ -44,10 +46,10 @@ QToolButton* makeButton(const QString& text, const QString& name) {
 
 } // namespace
 
-JobPage::JobPage(Planner& planner, RecipeDesk& desk, QWidget* parent)
-    : QWidget(parent), m_planner(planner), m_recipe(new RecipePanel(planner, desk)), m_drawing(new DrawingView),
-      m_profile(new ProfilePlot(screenStyle(kPlotUnit))), m_findings(new FindingsPanel), m_stateSign(new QLabel),
-      m_state(new QLabel), m_complaint(new QLabel(this)), m_busy(new BusyBar(tr("Planning"))),
+JobPage::JobPage(Planner& planner, RecipeDesk& desk, WheelWalk& wheel, QWidget* parent)
+    : QWidget(parent), m_planner(planner), m_wheel(wheel), m_recipe(new RecipePanel(planner, desk)),
+      m_drawing(new DrawingView), m_profile(new ProfilePlot(screenStyle(kPlotUnit))), m_findings(new FindingsPanel),
+      m_stateSign(new QLabel), m_state(new QLabel), m_complaint(new QLabel(this)), m_busy(new BusyBar(tr("Planning"))),
       m_viewButtons(new QButtonGroup(this)), m_views(new QSplitter(Qt::Vertical)),
       m_split(new QSplitter(Qt::Vertical)) {
   m_recipe->setFixedWidth(kRecipeWidth);
@@ -58,6 +60,7 @@ JobPage::JobPage(Planner& planner, RecipeDesk& desk, QWidget* parent)
   middleLayout->addWidget(makeHeader());
   middleLayout->addWidget(m_busy);
   middleLayout->addWidget(makeViews(), 1);
+  middleLayout->addWidget(new WheelBar(wheel));
   m_split->addWidget(middle);
   m_split->addWidget(m_findings);
   m_split->setChildrenCollapsible(false);
@@ -72,6 +75,7 @@ JobPage::JobPage(Planner& planner, RecipeDesk& desk, QWidget* parent)
   m_complaint->hide();
   connectPlanner();
   connectViews();
+  connectWheel();
   arrange();
   if (planner.plan()) {
     showPlan(planner.plan());
@@ -79,6 +83,7 @@ JobPage::JobPage(Planner& planner, RecipeDesk& desk, QWidget* parent)
   if (planner.curves()) {
     showProfile(planner.curves());
   }
+  showWheel();
   showBusy(planner.isBusy());
 }
 
@@ -170,6 +175,38 @@ void JobPage::connectViews() {
   });
   connect(m_findings, &FindingsPanel::problemChosen, this, &JobPage::showProblem);
   connect(m_viewButtons, &QButtonGroup::idClicked, this, &JobPage::arrange);
+}
+
+// Beside its path a tap selects nothing.
+void JobPage::connectWheel() {
+  m_drawing->setWheelMovable(true);
+  connect(&m_wheel, &WheelWalk::changed, this, &JobPage::showWheel);
+  connect(&m_wheel, &WheelWalk::stepped, m_drawing, &DrawingView::bringWheelIntoView);
+  connect(m_drawing, &DrawingView::wheelDragged, &m_wheel, &WheelWalk::dragTo);
+  connect(m_drawing, &DrawingView::wheelStepped, this, [this](int step) {
+    if (step > 0) {
+      m_wheel.stepOn();
+    } else {
+      m_wheel.stepBack();
+    }
+  });
+  connect(m_drawing, &DrawingView::placeTapped, this, [this](const geometry::Point& place, double reach) {
+    if (!m_wheel.putTo(place, reach)) {
+      selectCorner(0);
+      m_findings->showCard();
+    }
+  });
+}
+
+void JobPage::showWheel() {
+  const std::optional<job::Sample> place = m_wheel.place();
+  if (place) {
+    m_drawing->setWheel(LiveWheel{place->setPoint.position.head<2>(), {}});
+    m_profile->markInstant(place->setPoint.time);
+  } else {
+    m_drawing->setWheel(std::nullopt);
+    m_profile->markInstant(std::nullopt);
+  }
 }
 
 void JobPage::showPlan(const PlanPointer& plan) {

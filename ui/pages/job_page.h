@@ -16,14 +16,16 @@ class DrawingView;
 class FindingsPanel;
 class ProfilePlot;
 class RecipePanel;
+class WheelWalk;
 
 /// The paper's man–machine interface: values on the left, the drawing and the profile in the middle, what was found
-/// beside or below. It shows what the planner yields and hands it what is typed; it keeps nothing of its own.
+/// beside or below. It shows what the planner yields and hands it what is typed; it keeps nothing of its own. The wheel
+/// is moved along its path in the drawing.
 class JobPage : public QWidget {
   Q_OBJECT
 
 public:
-  JobPage(Planner& planner, RecipeDesk& desk, QWidget* parent = nullptr);
+  JobPage(Planner& planner, RecipeDesk& desk, WheelWalk& wheel, QWidget* parent = nullptr);
 
   /// Whether the values that a code can protect may be changed.
   void setEngineeringEnabled(bool enabled);
@@ -41,8 +43,10 @@ private:
   QWidget* makeViews();
   void connectPlanner();
   void connectViews();
+  void connectWheel();
   void showPlan(const PlanPointer& plan);
   void showProfile(const CurvesPointer& curves);
+  void showWheel();
   void showState();
   void showBusy(bool busy);
   void selectCorner(int corner);
@@ -52,6 +56,7 @@ private:
   void placeComplaint();
 
   Planner& m_planner;
+  WheelWalk& m_wheel;
   PlanPointer m_plan;
   RecipePanel* m_recipe;
   DrawingView* m_drawing;

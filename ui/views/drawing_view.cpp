@@ -30,9 +30,6 @@ constexpr double kSceneRoom = 20;   // times the drawing's size can be panned
 constexpr double kGroundLine = 5; // px
 constexpr double kGroundTolerance = 0.3;
 constexpr int kGroundPoints = 100; // of the segment that the wheel is on
-constexpr double kWheelLine = 2;
-constexpr double kWheelCentre = 3;
-constexpr int kWheelAlpha = 60;
 
 constexpr int kLegendFromWidth = 700; // px
 constexpr int kLegendFromHeight = 420;
@@ -265,19 +262,7 @@ void DrawingView::paintOverStill(QPainter& painter) {
   if (isWithin) {
     paintGround(painter, m_groundTo, m_wheel->done.lambda);
   }
-  const QPointF at = viewportTransform().map(toQt(m_wheel->at));
-  const double radius = m_plan->drawing.wheelRadius * pixelsPerMillimetre();
-  QColor disc = m_style.palette.x;
-  painter.setPen(QPen(disc, kWheelLine));
-  disc.setAlpha(kWheelAlpha);
-  painter.setBrush(disc);
-  painter.drawEllipse(at, radius, radius);
-  painter.drawEllipse(at, kWheelCentre, kWheelCentre);
-}
-
-void DrawingView::setWheel(const std::optional<LiveWheel>& wheel) {
-  m_wheel = wheel;
-  viewport()->update();
+  paintWheel(painter);
 }
 
 // Of what is to be seen: glass, path and the numbers of the corners.
@@ -361,24 +346,52 @@ QRectF DrawingView::labelOf(int corner) const {
   return label != m_labels.end() ? label->box : QRectF();
 }
 
+bool DrawingView::isTap(const QMouseEvent& event) const {
+  return (event.pos() - m_pressed).manhattanLength() < QApplication::startDragDistance();
+}
+
 void DrawingView::mousePressEvent(QMouseEvent* event) {
   m_pressed = event->pos();
-  QGraphicsView::mousePressEvent(event);
+  if (event->button() == Qt::LeftButton && isOnWheel(event->position())) {
+    m_grip = event->position() - viewportTransform().map(toQt(m_wheel->at));
+  } else {
+    QGraphicsView::mousePressEvent(event);
+  }
+}
+
+void DrawingView::mouseMoveEvent(QMouseEvent* event) {
+  if (!m_grip) {
+    QGraphicsView::mouseMoveEvent(event);
+  } else if (m_dragsWheel || !isTap(*event)) {
+    m_dragsWheel = true;
+    dragWheelTo(event->position() - *m_grip);
+  }
 }
 
 void DrawingView::mouseReleaseEvent(QMouseEvent* event) {
-  QGraphicsView::mouseReleaseEvent(event);
-  viewport()->setCursor(Qt::ArrowCursor);
-  if ((event->pos() - m_pressed).manhattanLength() < QApplication::startDragDistance()) {
-    const int corner = cornerAt(event->position());
-    const base::Problem* finding = corner == 0 ? findingAt(event->position()) : nullptr;
-    if (finding != nullptr) {
-      Q_EMIT findingTapped(*finding);
-    } else {
-      Q_EMIT cornerTapped(corner);
-    }
-  } else {
+  const bool dragged = m_dragsWheel;
+  const bool gripped = m_grip.has_value();
+  m_dragsWheel = false;
+  m_grip.reset();
+  if (!gripped) {
+    QGraphicsView::mouseReleaseEvent(event);
+    viewport()->setCursor(Qt::ArrowCursor);
+  }
+  if (isTap(*event) && !dragged) {
+    tap(event->position());
+  } else if (!gripped) {
     m_fitted = false;
+  }
+}
+
+// Of what lies in one place the corner comes first.
+void DrawingView::tap(const QPointF& place) {
+  if (const int corner = cornerAt(place)) {
+    Q_EMIT cornerTapped(corner);
+  } else if (const base::Problem* finding = findingAt(place)) {
+    Q_EMIT findingTapped(*finding);
+  } else {
+    Q_EMIT placeTapped(onTable(place), kTapReach / pixelsPerMillimetre());
   }
 }
 
@@ -393,6 +406,9 @@ void DrawingView::wheelEvent(QWheelEvent* event) {
 }
 
 void DrawingView::keyPressEvent(QKeyEvent* event) {
+  if (stepWheel(event->key())) {
+    return;
+  }
   switch (event->key()) {
   case Qt::Key_Plus:
     zoomIn();

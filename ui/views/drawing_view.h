@@ -19,8 +19,8 @@ struct LiveWheel {
   program::JobPlace done; ///< what lies before it on the job's way has been passed; none where the segment is −1
 };
 
-/// The drawing of a plan: drag to pan, wheel or pinch to zoom, tap a corner or a problem. All of it goes by keys and by
-/// single taps on the buttons beside it too.
+/// The drawing of a plan: drag to pan, wheel or pinch to zoom, tap a corner or a problem, drag the wheel. All of it
+/// goes by keys and by single taps on the buttons beside it too.
 class DrawingView : public QGraphicsView {
   Q_OBJECT
 
@@ -32,6 +32,12 @@ public:
 
   /// The wheel where it is, with what it has ground so far marked; nothing hides both.
   void setWheel(const std::optional<LiveWheel>& wheel);
+
+  /// Pans where the wheel has left the view.
+  void bringWheelIntoView();
+
+  /// Whether the wheel can be dragged by finger, mouse and keys; not unless told so.
+  void setWheelMovable(bool movable);
 
   void selectCorner(int corner);
   /// Brings a corner close enough to see its transition.
@@ -54,14 +60,20 @@ public Q_SLOTS:
   void zoomOut();
 
 Q_SIGNALS:
-  /// 0: beside every corner.
   void cornerTapped(int corner);
   /// The sign of a finding, beside every corner.
   void findingTapped(const arris::base::Problem& finding);
+  /// A place of the table beside all of these; as far from it as `reach` (mm) a finger still means it.
+  void placeTapped(const arris::geometry::Point& place, double reach);
+  /// The wheel is dragged towards a place of the table.
+  void wheelDragged(const arris::geometry::Point& place, double reach);
+  /// By key: 1 on, −1 back.
+  void wheelStepped(int step);
 
 protected:
   void drawBackground(QPainter* painter, const QRectF& rect) override;
   void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
@@ -77,6 +89,13 @@ private:
   void paintGround(QPainter& painter, int segment, std::optional<double> lambda) const;
   void renewStill(QPainter::RenderHints hints);
   void paintOverStill(QPainter& painter);
+  void paintWheel(QPainter& painter) const;
+  [[nodiscard]] bool isOnWheel(const QPointF& place) const;
+  void dragWheelTo(const QPointF& place);
+  bool stepWheel(int key);
+  [[nodiscard]] bool isTap(const QMouseEvent& event) const;
+  void tap(const QPointF& place);
+  [[nodiscard]] geometry::Point onTable(const QPointF& place) const;
   void paintLegend(QPainter& painter) const;
   [[nodiscard]] bool isDrawnOn(const QRectF& place) const;
   [[nodiscard]] double pixelsPerMillimetre() const;
@@ -90,7 +109,10 @@ private:
   int m_selected = 0;
   std::optional<geometry::Point> m_marked;
   std::optional<LiveWheel> m_wheel;
-  QPixmap m_still; // all that does not move, with what has been ground
+  bool m_wheelMovable = false;
+  std::optional<QPointF> m_grip; // where the hand holds the wheel, px from its centre
+  bool m_dragsWheel = false;     // the hand has moved since
+  QPixmap m_still;               // all that does not move, with what has been ground
   QTransform m_stillFor;
   int m_groundTo = 0;   // segments of the track whose grinding is in it
   bool m_fitted = true; // the view follows the size of the window until somebody zooms or pans
