@@ -1,27 +1,17 @@
 #include "ui/pages/pattern_dialog.h"
 
-#include "ui/figures/finding_rows.h"
-#include "ui/figures/preview_figure.h"
+#include "ui/pages/pattern_panel.h"
 #include "ui/text/file_texts.h"
-#include "ui/text/job_texts.h"
 #include "ui/text/problem_texts.h"
-#include "ui/views/pattern_view.h"
-#include "ui/widgets/busy_bar.h"
 #include "ui/widgets/segments.h"
-#include "ui/widgets/signs.h"
-#include "ui/widgets/theme.h"
-#include "ui/widgets/touch_delegate.h"
+#include "ui/widgets/touch_list.h"
 
 #include <QApplication>
 #include <QLabel>
 #include <QLineEdit>
-#include <QListWidget>
 #include <QPushButton>
-#include <QScroller>
 #include <QStyle>
 #include <QVBoxLayout>
-
-#include <algorithm>
 
 namespace arris::ui {
 namespace {
@@ -30,7 +20,6 @@ constexpr QSize kLargestDialog(1240, 820); // px
 constexpr int kDialogEdge = 6;
 constexpr int kTitleBar = 36; // px, of the window manager
 constexpr int kListsWidth = 336;
-constexpr int kFindingsHeight = 3 * kTouch;
 constexpr int kOpenHeight = 64;
 
 QRect within(const QWidget& place) {
@@ -41,28 +30,6 @@ QRect within(const QWidget& place) {
   return dialog;
 }
 
-QListWidget* makeTouchList(const QString& name) {
-  auto* list = new QListWidget;
-  list->setObjectName(name);
-  list->setWordWrap(true);
-  list->setTextElideMode(Qt::ElideMiddle);
-  list->setIconSize(QSize(24, 24));
-  list->setResizeMode(QListView::Adjust);
-  list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  list->setItemDelegate(new TouchDelegate(list));
-  QScroller::grabGesture(list->viewport(), QScroller::TouchGesture);
-  return list;
-}
-
-QLabel* makeWords(const QString& name) {
-  auto* label = new QLabel;
-  label->setObjectName(name);
-  label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
-  return label;
-}
-
 } // namespace
 
 PatternDialog::PatternDialog(PatternShelf& shelf, QWidget& place) : QDialog(&place), m_shelf(shelf) {
@@ -71,14 +38,14 @@ PatternDialog::PatternDialog(PatternShelf& shelf, QWidget& place) : QDialog(&pla
   setModal(false);
   auto* columns = new QHBoxLayout;
   columns->addWidget(makeLists());
-  columns->addWidget(makePreview(), 1);
+  columns->addWidget(new PatternPanel(shelf), 1);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(8, 8, 8, 8);
   all->addLayout(columns, 1);
   all->addLayout(makeButtons());
   setGeometry(within(place));
   connectShelf();
-  showPreview();
+  enableOpen();
   m_entries->setFocus();
 }
 
@@ -91,20 +58,21 @@ QWidget* PatternDialog::makeLists() {
                               {QStringLiteral("patternsSamples"), tr("Samples")},
                               {QStringLiteral("patternsFolder"), tr("Folder")}},
                              static_cast<int>(m_shelf.list()));
-  m_message = makeWords(QStringLiteral("patternsMessage"));
-  m_entries = makeTouchList(QStringLiteral("patterns"));
+  m_message = new QLabel;
+  m_message->setObjectName(QStringLiteral("patternsMessage"));
+  m_message->setWordWrap(true);
+  m_message->setTextFormat(Qt::PlainText);
+  m_entries = new TouchList;
+  m_entries->setObjectName(QStringLiteral("patterns"));
   m_entries->setAccessibleName(tr("Patterns"));
   column->addWidget(lists);
   column->addWidget(makeFolderRow());
   column->addWidget(m_message);
   column->addWidget(m_entries, 1);
+  m_folderRow->setVisible(m_shelf.list() == ShelfList::Folder);
   connect(lists, &Segments::picked, this, [this](int list) { m_shelf.showList(static_cast<ShelfList>(list)); });
-  connect(m_entries, &QListWidget::itemSelectionChanged, this, &PatternDialog::lookAtCurrent);
-  connect(m_entries, &QListWidget::itemClicked, this, [this] {
-    if (const ShelfEntry* entry = current(); entry != nullptr && entry->isFolder) {
-      enter(entry->path);
-    }
-  });
+  connect(m_entries, &QListWidget::currentRowChanged, this, &PatternDialog::lookAtCurrent);
+  connect(m_entries, &QListWidget::itemClicked, this, &PatternDialog::enterTapped);
   connect(m_entries, &QListWidget::itemDoubleClicked, this, &PatternDialog::openCurrent);
   return box;
 }
@@ -126,31 +94,6 @@ QWidget* PatternDialog::makeFolderRow() {
   return m_folderRow;
 }
 
-QWidget* PatternDialog::makePreview() {
-  auto* box = new QWidget;
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
-  m_name = makeWords(QStringLiteral("patternName"));
-  QFont bold = font();
-  bold.setBold(true);
-  m_name->setFont(bold);
-  m_busy = new BusyBar(tr("Reading"));
-  m_view = new PatternView;
-  m_view->setObjectName(QStringLiteral("patternView"));
-  m_facts = makeWords(QStringLiteral("patternFacts"));
-  m_facts->setMinimumHeight(2 * fontMetrics().lineSpacing()); // nothing jumps when it fills
-  m_findings = makeTouchList(QStringLiteral("patternFindings"));
-  m_findings->setSelectionMode(QAbstractItemView::NoSelection);
-  m_findings->setAccessibleName(tr("Problems"));
-  m_findings->setFixedHeight(kFindingsHeight);
-  column->addWidget(m_name);
-  column->addWidget(m_busy);
-  column->addWidget(m_view, 1);
-  column->addWidget(m_facts);
-  column->addWidget(m_findings);
-  return box;
-}
-
 QLayout* PatternDialog::makeButtons() {
   auto* cancel = new QPushButton(tr("Cancel"));
   cancel->setObjectName(QStringLiteral("patternCancel"));
@@ -169,7 +112,7 @@ QLayout* PatternDialog::makeButtons() {
 
 void PatternDialog::connectShelf() {
   connect(&m_shelf, &PatternShelf::listed, this, &PatternDialog::showListing);
-  connect(&m_shelf, &PatternShelf::lookChanged, this, &PatternDialog::showPreview);
+  connect(&m_shelf, &PatternShelf::lookChanged, this, &PatternDialog::enableOpen);
   connect(&m_shelf, &PatternShelf::chosen, this, &QDialog::accept);
   connect(this, &QDialog::finished, &m_shelf, &PatternShelf::lookAway);
 }
@@ -222,10 +165,12 @@ void PatternDialog::lookAtCurrent() {
 }
 
 // The second tap of a double one would meet a folder of the next list.
-void PatternDialog::enter(const std::filesystem::path& folder) {
-  if (!m_sinceEntered.isValid() || m_sinceEntered.hasExpired(QApplication::doubleClickInterval())) {
+void PatternDialog::enterTapped() {
+  const ShelfEntry* entry = current();
+  const bool isSecond = m_sinceEntered.isValid() && !m_sinceEntered.hasExpired(QApplication::doubleClickInterval());
+  if (entry != nullptr && entry->isFolder && !isSecond) {
     m_sinceEntered.start();
-    m_shelf.showFolder(folder);
+    m_shelf.showFolder(entry->path);
   }
 }
 
@@ -243,64 +188,15 @@ void PatternDialog::openCurrent() {
     return;
   }
   if (entry->isFolder) {
-    enter(entry->path);
+    m_shelf.showFolder(entry->path);
   } else if (entry->path == m_shelf.looked()) {
     m_shelf.choose();
   }
 }
 
-QString PatternDialog::words() const {
-  const PreviewPointer& preview = m_shelf.preview();
-  if (preview) {
-    return preview->isTooLarge              ? tr("The file is large: it is read when it is opened.")
-           : preview->drawing.box.isEmpty() ? tr("There is nothing to show.")
-                                            : QString();
-  }
-  return m_shelf.isReading() ? QString() : tr("Tap a pattern to see it.");
-}
-
-QString PatternDialog::facts() const {
-  const PreviewPointer& preview = m_shelf.preview();
-  if (!preview) {
-    return {};
-  }
-  const QLocale locale;
-  QStringList lines;
-  QStringList second;
-  if (preview->canBeOpened() && preview->import) {
-    const pattern::Pattern& pattern = preview->import->pattern;
-    const QString unit = toQString(pattern::name(pattern.units));
-    lines << previewTitle(pattern, QString(), locale, lengthUnit()).lines.front();
-    second << (pattern.unitsFrom == pattern::UnitsFrom::Assumed ? tr("Unit of the drawing: %1, assumed").arg(unit)
-                                                                : tr("Unit of the drawing: %1").arg(unit));
-  }
-  if (preview->bytes > 0) {
-    const auto bytes = static_cast<qint64>(preview->bytes);
-    second << locale.formattedDataSize(bytes, 0, QLocale::DataSizeSIFormat);
-  }
-  lines << second.join(QStringLiteral(" · "));
-  return lines.join(QLatin1Char('\n'));
-}
-
-void PatternDialog::showPreview() {
-  const PreviewPointer& preview = m_shelf.preview();
-  m_busy->setVisible(m_shelf.isReading());
-  m_name->setText(nameOfFile(m_shelf.looked()));
-  m_view->show(preview ? preview->drawing : Drawing(), words());
-  m_facts->setText(facts());
-  showFindings();
+void PatternDialog::enableOpen() {
   const ShelfEntry* entry = current();
   m_open->setEnabled((entry != nullptr && entry->isFolder) || m_shelf.canChoose());
-}
-
-void PatternDialog::showFindings() {
-  m_findings->clear();
-  if (const PreviewPointer& preview = m_shelf.preview()) {
-    for (const FindingRow& row : findingRows(preview->drawing, QLocale(), lengthUnit())) {
-      new QListWidgetItem(signIcon(row.severity), breakableAtFolders(row.words), m_findings);
-    }
-  }
-  m_findings->setVisible(m_findings->count() > 0);
 }
 
 } // namespace arris::ui

@@ -7,13 +7,11 @@
 
 class QLabel;
 class QLineEdit;
-class QListWidget;
 class QPushButton;
 
 namespace arris::ui {
 
-class BusyBar;
-class PatternView;
+class TouchList;
 
 /// Asks for a pattern: lists at the left, what is tapped there at the right, before it is opened. The shelf says what
 /// was chosen. The dialog is not modal and lies within `place`: FEED HOLD and STOP stay within reach and in sight.
@@ -26,32 +24,23 @@ public:
 private:
   QWidget* makeLists();
   QWidget* makeFolderRow();
-  QWidget* makePreview();
   QLayout* makeButtons();
   void connectShelf();
   void addEntry(const ShelfEntry& entry);
   void showListing();
-  void showPreview();
-  void showFindings();
+  void enableOpen();
   void lookAtCurrent();
-  void enter(const std::filesystem::path& folder);
+  void enterTapped();
   void goToTyped();
   void openCurrent();
   [[nodiscard]] const ShelfEntry* current() const;
-  [[nodiscard]] QString words() const;
-  [[nodiscard]] QString facts() const;
 
   PatternShelf& m_shelf;
   QWidget* m_folderRow = nullptr;
   QPushButton* m_up = nullptr;
   QLineEdit* m_path = nullptr;
   QLabel* m_message = nullptr;
-  QListWidget* m_entries = nullptr;
-  BusyBar* m_busy = nullptr;
-  PatternView* m_view = nullptr;
-  QLabel* m_name = nullptr;
-  QLabel* m_facts = nullptr;
-  QListWidget* m_findings = nullptr;
+  TouchList* m_entries = nullptr;
   QPushButton* m_open = nullptr;
   QElapsedTimer m_sinceEntered; // a folder
 };

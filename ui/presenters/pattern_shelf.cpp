@@ -154,7 +154,8 @@ void PatternShelf::choose() {
   if (m_isReading) {
     m_choosesWhenRead = true;
   } else if (canChoose()) {
-    Q_EMIT chosen(m_looked);
+    const fs::path file = m_looked; // whoever hears of it may look away
+    Q_EMIT chosen(file);
   }
 }
 

@@ -30,7 +30,7 @@ PatternView::PatternView(QWidget* parent) : QWidget(parent), m_style(screenStyle
   setAccessibleName(tr("Drawing"));
 }
 
-void PatternView::show(const Drawing& drawing, const QString& words) {
+void PatternView::showDrawing(const Drawing& drawing, const QString& words) {
   m_drawing = drawing;
   m_words = words;
   update();

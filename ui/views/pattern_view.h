@@ -14,7 +14,7 @@ class PatternView : public QWidget {
 public:
   explicit PatternView(QWidget* parent = nullptr);
 
-  void show(const Drawing& drawing, const QString& words);
+  void showDrawing(const Drawing& drawing, const QString& words);
 
 protected:
   void paintEvent(QPaintEvent* event) override;
