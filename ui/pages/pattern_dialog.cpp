@@ -20,7 +20,7 @@ constexpr QSize kLargestDialog(1240, 820); // px
 constexpr int kDialogEdge = 6;
 constexpr int kTitleBar = 36; // px, of the window manager
 constexpr int kListsWidth = 336;
-constexpr int kOpenHeight = 64;
+constexpr int kEntrySign = 24;
 
 QRect within(const QWidget& place) {
   const QRect room(place.mapToGlobal(QPoint()), place.size());
@@ -97,10 +97,8 @@ QWidget* PatternDialog::makeFolderRow() {
 QLayout* PatternDialog::makeButtons() {
   auto* cancel = new QPushButton(tr("Cancel"));
   cancel->setObjectName(QStringLiteral("patternCancel"));
-  cancel->setMinimumHeight(kOpenHeight);
   m_open = new QPushButton(tr("Open"));
   m_open->setObjectName(QStringLiteral("patternOpen"));
-  m_open->setMinimumHeight(kOpenHeight);
   m_open->setDefault(true);
   auto* row = new QHBoxLayout;
   row->addWidget(cancel, 1);
@@ -127,23 +125,19 @@ void PatternDialog::addEntry(const ShelfEntry& entry) {
   const QString name = nameOfFile(entry.path);
   const bool isFromAnywhere = m_shelf.list() == ShelfList::Recent;
   const QString folder = isFromAnywhere ? QLatin1Char('\n') + breakableAtFolders(folderOfFile(entry.path)) : QString();
-  const auto icon = entry.isFolder ? QStyle::SP_DirIcon : QStyle::SP_FileIcon;
-  new QListWidgetItem(style()->standardIcon(icon), name + folder, m_entries);
+  const QIcon sign = style()->standardIcon(entry.isFolder ? QStyle::SP_DirIcon : QStyle::SP_FileIcon);
+  const QPixmap grey = sign.pixmap(kEntrySign, QIcon::Disabled); // colour is kept for what is abnormal or active
+  new QListWidgetItem(grey, name + folder, m_entries);
 }
 
-// The first entry is looked at as soon as the list is there.
+// What is looked at stays so where the list has it; else the first entry is, as soon as the list is there.
 void PatternDialog::showListing() {
   const ShelfListing& listing = m_shelf.listing();
   m_folderRow->setVisible(m_shelf.list() == ShelfList::Folder);
   m_path->setText(QString::fromStdString(listing.folder.string()));
   m_path->setToolTip(m_path->text());
   m_up->setEnabled(listing.folder.has_relative_path());
-  m_entries->clear();
-  int chosen = 0;
-  for (const ShelfEntry& entry : listing.entries) {
-    addEntry(entry);
-    chosen = entry.path == listing.chosen ? m_entries->count() - 1 : chosen;
-  }
+  fillEntries();
   const QString none = m_shelf.list() == ShelfList::Folder ? tr("Here are neither drawings (*.dxf) nor folders.")
                                                            : tr("No pattern was opened yet, or none is still there.");
   const QString message = listing.problem           ? problemText(*listing.problem, QLocale())
@@ -151,8 +145,23 @@ void PatternDialog::showListing() {
                                                     : QString();
   m_message->setText(breakableAtFolders(message));
   m_message->setVisible(!message.isEmpty());
-  m_entries->setCurrentRow(chosen);
   lookAtCurrent();
+  if (m_path->hasFocus() && !listing.problem) {
+    m_entries->setFocus(); // the path has led there
+  }
+}
+
+void PatternDialog::fillEntries() {
+  const ShelfListing& listing = m_shelf.listing();
+  const std::filesystem::path& wanted = listing.chosen.empty() ? m_shelf.looked() : listing.chosen;
+  const QSignalBlocker silent(m_entries);
+  m_entries->clear();
+  int chosen = 0;
+  for (const ShelfEntry& entry : listing.entries) {
+    addEntry(entry);
+    chosen = entry.path == wanted ? m_entries->count() - 1 : chosen;
+  }
+  m_entries->setCurrentRow(chosen);
 }
 
 void PatternDialog::lookAtCurrent() {

@@ -28,6 +28,7 @@ private:
   void connectShelf();
   void addEntry(const ShelfEntry& entry);
   void showListing();
+  void fillEntries();
   void enableOpen();
   void lookAtCurrent();
   void enterTapped();

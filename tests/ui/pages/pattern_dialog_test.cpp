@@ -190,6 +190,7 @@ TEST_F(OpeningAPattern, GoesIntoAFolderByATapAndUpAgain) {
   tap("folderUp");
   await("order 7");
   EXPECT_EQ(entries()->currentRow(), rowOf("order 7"));
+  entries()->setFocus();
   QTest::keyClick(entries(), Qt::Key_Return); // a folder by Enter
   await("many.dxf");
   QTest::keyClick(entries(), Qt::Key_Return);
@@ -224,7 +225,7 @@ TEST_F(OpeningAPattern, GoesWhereAPathIsTyped) {
   awaitPreview("triangle.dxf");
   EXPECT_TRUE(dialog() != nullptr); // Enter was for the path
   EXPECT_EQ(path->text().toStdString(), (m_scratch / "drawings").string());
-  tap("patternOpen");
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
   expectOpened("triangle.dxf");
 }
 
@@ -233,6 +234,7 @@ TEST_F(OpeningAPattern, SaysThatATypedFolderIsNotThere) {
   tap("patternsFolder");
   auto* path = find<QLineEdit>("folderPath");
   ASSERT_TRUE(QTest::qWaitFor([&] { return path->isVisible() && !path->text().isEmpty(); }, test::kPatience));
+  path->setFocus();
   path->setText("/nowhere/at/all");
   QTest::keyClick(path, Qt::Key_Return);
   ASSERT_TRUE(QTest::qWaitFor([&] { return text("patternsMessage").contains("No such file"); }, test::kPatience));
@@ -321,8 +323,16 @@ TEST_F(OpeningAPattern, BeginsAgainInTheListOfLastTimeAfterTheWindowWasMadeAnew)
   tapEntry("rectangle.dxf");
   awaitPreview("rectangle.dxf");
   EXPECT_TRUE(text("patternFacts").contains("39.37 × 23.62 in")) << text("patternFacts").toStdString();
-  settings.lengthUnit = files::Settings::LengthUnit::Millimetre;
+  settings.appearance = files::Settings::Appearance::Dark;
   m_window.preferences().change(settings);
+  m_window.resize(1920, 1080);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog() == nullptr; }, test::kPatience));
+  ask();
+  await("rectangle.dxf");
+  tapEntry("rectangle.dxf");
+  awaitPreview("rectangle.dxf");
+  test::keep("open-dark", *dialog());
+  m_window.preferences().change({}); // of the whole process
   QTest::qWait(20);
 }
 
@@ -387,6 +397,7 @@ TEST_P(TranslatedOpening, ShowsEverythingOnTheSmallestScreen) {
   tapEntry("broken.dxf");
   ASSERT_TRUE(QTest::qWaitFor([&] { return find<TouchList>("patternFindings")->count() == 1; }, test::kPatience));
   expectShown("broken");
+  find<QLineEdit>("folderPath")->setFocus();
   find<QLineEdit>("folderPath")->setText("/nowhere/at/all");
   QTest::keyClick(find<QLineEdit>("folderPath"), Qt::Key_Return);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !text("patternsMessage").isEmpty(); }, test::kPatience));
