@@ -327,6 +327,7 @@ TEST_F(OpeningAPattern, BeginsAgainInTheListOfLastTimeAfterTheWindowWasMadeAnew)
   m_window.preferences().change(settings);
   m_window.resize(1920, 1080);
   ASSERT_TRUE(QTest::qWaitFor([&] { return dialog() == nullptr; }, test::kPatience));
+  settle();
   ask();
   await("rectangle.dxf");
   tapEntry("rectangle.dxf");
