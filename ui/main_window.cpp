@@ -4,6 +4,7 @@
 #include "ui/pages/alarms_page.h"
 #include "ui/pages/help_page.h"
 #include "ui/pages/job_page.h"
+#include "ui/pages/pattern_dialog.h"
 #include "ui/pages/profiles_page.h"
 #include "ui/pages/run_page.h"
 #include "ui/pages/settings_page.h"
@@ -12,7 +13,6 @@
 #include "ui/text/translators.h"
 #include "ui/widgets/alarm_banner.h"
 #include "ui/widgets/control_strip.h"
-#include "ui/widgets/file_question.h"
 #include "ui/widgets/keypad.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/wipe_cover.h"
@@ -57,8 +57,8 @@ void showWith(const files::Settings& settings) {
 } // namespace
 
 MainWindow::MainWindow(const MachineSetup& setup, PlannerSteps steps, QWidget* parent)
-    : QMainWindow(parent), m_preferences(setup.folder, setup.machine),
-      m_planner(m_preferences.machine(), std::move(steps)), m_desk(m_planner, setup.folder),
+    : QMainWindow(parent), m_preferences(setup.folder, setup.machine), m_planner(m_preferences.machine(), steps),
+      m_desk(m_planner, setup.folder), m_shelf(setup.folder, std::move(steps.read)),
       m_machine(on(m_preferences.machine(), setup)), m_shown(m_preferences.settings()) {
   setAcceptDrops(true);
   m_planner.setRecipe(m_preferences.lastRecipe());
@@ -77,6 +77,7 @@ MainWindow::MainWindow(const MachineSetup& setup, PlannerSteps steps, QWidget* p
     m_keepRecipe.start();
     showTitle();
   });
+  connect(&m_shelf, &PatternShelf::chosen, this, &MainWindow::openPattern);
   connect(&m_machine, &MachineLink::changed, this, [this] {
     if (m_closes && !m_machine.allowed().stop) {
       close();
@@ -182,7 +183,7 @@ void MainWindow::setLocked(bool locked) {
   m_banner->setLocked(locked);
   if (locked) {
     delete findChild<Keypad*>();
-    for (QDialog* dialog : findChildren<QDialog*>()) {
+    for (QDialog* dialog : findChildren<QDialog*>()) { // wiping would tap on it
       dialog->close();
     }
     m_cover->begin();
@@ -246,23 +247,26 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::openPattern(const std::filesystem::path& file) {
-  m_folder = folderOfFile(file);
+  m_shelf.noteOpened(file);
   m_planner.openPattern(file);
 }
 
 void MainWindow::openLast() {
-  for (const std::string& file : m_preferences.settings().recent) {
-    if (std::error_code failure; std::filesystem::exists(file, failure)) {
-      openPattern(file);
-      return;
-    }
+  const std::vector<std::filesystem::path> recent = stillThere(m_preferences.settings().recent);
+  if (!recent.empty()) {
+    openPattern(recent.front());
+  } else if (const auto sample = firstSample(m_machine.folder())) {
+    openPattern(*sample);
+  } else {
+    m_machine.complain(sample.error());
   }
 }
 
 void MainWindow::askForPattern() {
-  askForFile(*this,
-             {tr("Open pattern"), m_folder, tr("Drawings (*.dxf *.DXF);;All files (*)").split(QStringLiteral(";;"))},
-             [this](const std::filesystem::path& file) { openPattern(file); });
+  delete findChild<PatternDialog*>();
+  auto* dialog = new PatternDialog(m_shelf, *m_pages);
+  m_shelf.begin(m_preferences.settings().recent, pattern::importOptions(m_planner.recipe()));
+  dialog->show();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

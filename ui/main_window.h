@@ -2,6 +2,7 @@
 
 #include "ui/presenters/alarms_state.h"
 #include "ui/presenters/machine_link.h"
+#include "ui/presenters/pattern_shelf.h"
 #include "ui/presenters/preferences.h"
 #include "ui/presenters/profile_files.h"
 #include "ui/presenters/recipe_desk.h"
@@ -39,7 +40,7 @@ public:
 
   void openPattern(const std::filesystem::path& file);
 
-  /// The pattern of last time, where it is still there.
+  /// The last of the recent patterns that is still there; where there is none, a sample.
   void openLast();
 
   [[nodiscard]] Planner& planner() {
@@ -83,6 +84,7 @@ private:
   Planner m_planner;
   RecipeDesk m_desk;
   WheelWalk m_wheelWalk{m_planner};
+  PatternShelf m_shelf;
   MachineLink m_machine;
   ProfileFiles m_profileFiles;
   AlarmsState m_alarms{m_machine};
@@ -95,7 +97,6 @@ private:
   QTimer m_keepRecipe;
   QPointer<QMessageBox> m_question; // whether to stop and close
   bool m_closes = false;            // as soon as the axes are at rest
-  QString m_folder;                 // where the last pattern was
 };
 
 } // namespace arris::ui

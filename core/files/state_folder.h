@@ -38,6 +38,11 @@ struct StateFolder {
     return root / "recipes";
   }
 
+  /// The patterns that come with the program, to open and to change.
+  [[nodiscard]] std::filesystem::path samples() const {
+    return root / "samples";
+  }
+
   /// What a restored back-up has replaced.
   [[nodiscard]] std::filesystem::path backUps() const {
     return root / "back-ups";

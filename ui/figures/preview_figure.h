@@ -2,6 +2,7 @@
 
 #include "ui/figures/drawing.h"
 #include "ui/figures/figure.h"
+#include "ui/text/quantities.h"
 
 #include <QLocale>
 #include <QString>
@@ -16,7 +17,10 @@ struct PreviewTitle {
 
 /// With numbers in `locale`; lengths in mm.
 [[nodiscard]] PreviewTitle previewTitle(const job::Job& job, const QString& file, const QLocale& locale = QLocale::c());
-[[nodiscard]] PreviewTitle previewTitle(const pattern::Pattern& pattern, const QString& file);
+
+/// Of a pattern that is not planned; lengths in `unit`.
+[[nodiscard]] PreviewTitle previewTitle(const pattern::Pattern& pattern, const QString& file,
+                                        const QLocale& locale = QLocale::c(), LengthUnit unit = LengthUnit::Millimetre);
 
 /// A page of A4 with the drawing true to a round scale: glass, wheel path, transitions, numbered corners, leads,
 /// direction, findings at their places and in words; axes in mm, legend and title block. Numbers with a decimal point.

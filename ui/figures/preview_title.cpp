@@ -8,9 +8,9 @@
 namespace arris::ui {
 namespace {
 
-QString sizeText(const geometry::Box& box, const QLocale& locale) {
-  return QStringLiteral("%1 × %2 mm")
-      .arg(numberText(box.sizes().x(), 1, locale), numberText(box.sizes().y(), 1, locale));
+QString sizeText(const geometry::Box& box, const QLocale& locale, LengthUnit unit = LengthUnit::Millimetre) {
+  return inShownUnits(QStringLiteral("%1 × %2 mm"), unit)
+      .arg(lengthText(box.sizes().x(), 1, locale, unit), lengthText(box.sizes().y(), 1, locale, unit));
 }
 
 geometry::Box paneBox(const std::vector<pattern::Contour>& contours) {
@@ -35,7 +35,7 @@ public:
   static QString parts(const job::Job& job);
   static QString values(const job::Job& job, const QLocale& locale);
   static QString times(const job::Job& job, const QLocale& locale);
-  static QString imported(const pattern::Pattern& pattern);
+  static QString imported(const pattern::Pattern& pattern, const QLocale& locale, LengthUnit unit);
 };
 
 QString TitleLines::contours(const std::vector<pattern::Contour>& contours) {
@@ -85,11 +85,11 @@ QString TitleLines::times(const job::Job& job, const QLocale& locale) {
       .arg(durationText(job.working, locale), durationText(job.duration, locale), numberText(length, 1, locale));
 }
 
-QString TitleLines::imported(const pattern::Pattern& pattern) {
+QString TitleLines::imported(const pattern::Pattern& pattern, const QLocale& locale, LengthUnit unit) {
   const geometry::Box box = paneBox(pattern.contours);
   QString line = contours(pattern.contours);
   if (!box.isEmpty()) {
-    line += QStringLiteral(" · ") + sizeText(box, QLocale::c());
+    line += QStringLiteral(" · ") + sizeText(box, locale, unit);
   }
   if (!pattern.loose.empty()) {
     line += QStringLiteral(" · ") + tr("pieces in no contour: %1").arg(pattern.loose.size());
@@ -105,8 +105,9 @@ PreviewTitle previewTitle(const job::Job& job, const QString& file, const QLocal
            TitleLines::times(job, locale)}};
 }
 
-PreviewTitle previewTitle(const pattern::Pattern& pattern, const QString& file) {
-  return {file, {TitleLines::imported(pattern)}};
+PreviewTitle previewTitle(const pattern::Pattern& pattern, const QString& file, const QLocale& locale,
+                          LengthUnit unit) {
+  return {file, {TitleLines::imported(pattern, locale, unit)}};
 }
 
 } // namespace arris::ui

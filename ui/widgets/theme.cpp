@@ -103,6 +103,8 @@ QLineEdit[invalid="true"] { border-color: @wrong; background: @wrongField; }
 QLabel#complaint { border: 2px solid @wrong; border-radius: 4px; background: @wrongField; }
 QPushButton#stop, QPushButton#feedHold, QPushButton#cycleStart { min-height: 64px; }
 QPushButton#stop, QPushButton#feedHold { padding: 0 2px; }
+QPushButton#patternOpen, QPushButton#patternCancel { min-height: 64px; }
+QPushButton#patternOpen { font-weight: bold; }
 QPushButton#stop { font-weight: bold; font-size: 20px; border: 3px solid @strong; background: @field; }
 QPushButton#feedHold, QPushButton#cycleStart, QPushButton#resume { font-weight: bold; border: 2px solid @strong; }
 QPushButton#stop:disabled, QPushButton#feedHold:disabled, QPushButton#cycleStart:disabled, QPushButton#resume:disabled {
