@@ -5,6 +5,7 @@
 #include "tests/ui/support/steps.h"
 #include "ui/figures/style.h"
 #include "ui/main_window.h"
+#include "ui/pages/pattern_dialog.h"
 #include "ui/run_window.h"
 #include "ui/text/translators.h"
 #include "ui/widgets/keypad.h"
@@ -12,7 +13,6 @@
 
 #include <QApplication>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -210,7 +210,7 @@ TEST_F(SettingsWindow, AsksForAFileWithoutKeepingAnybodyFromStop) {
   m_window.machine().enable();
   ASSERT_TRUE(QTest::qWaitFor([&] { return m_window.machine().allowed().home; }, test::kPatience));
   tap("open");
-  auto* dialog = m_window.findChild<QFileDialog*>();
+  auto* dialog = m_window.findChild<PatternDialog*>();
   ASSERT_TRUE(dialog != nullptr && dialog->isVisible());
   m_window.machine().home();
   ASSERT_TRUE(QTest::qWaitFor([&] { return find("stop")->isEnabled(); }, test::kPatience));
@@ -219,8 +219,6 @@ TEST_F(SettingsWindow, AsksForAFileWithoutKeepingAnybodyFromStop) {
   QTest::keyClick(dialog, Qt::Key_F12);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !control::isMoving(m_window.machine().report().state); }, test::kPatience));
   EXPECT_FALSE(m_window.machine().report().homed);
-  Q_EMIT dialog->fileSelected(QStringLiteral("rectangle.dxf"));
-  EXPECT_TRUE(QTest::qWaitFor([&] { return m_window.windowTitle().startsWith("rectangle.dxf"); }, test::kPatience));
 }
 
 TEST_F(SettingsWindow, KeepsOnTheJobPageWhatAnotherPageHasChanged) {
