@@ -7,10 +7,12 @@
 class QButtonGroup;
 class QLabel;
 class QSplitter;
+class QStackedWidget;
 
 namespace arris::ui {
 
 class BusyBar;
+class BusyRow;
 class DrawingView;
 class FindingsPanel;
 class ProfilePlot;
@@ -37,6 +39,7 @@ protected:
 
 private:
   QWidget* makeHeader();
+  QWidget* makeStatePlace();
   QWidget* makeViews();
   void connectPlanner();
   void connectViews();
@@ -44,6 +47,7 @@ private:
   void showProfile(const CurvesPointer& curves);
   void showState();
   void showBusy(bool busy);
+  [[nodiscard]] QString cancelledText() const;
   void selectCorner(int corner);
   void showProblem(const base::Problem& problem);
   void arrange();
@@ -60,6 +64,8 @@ private:
   QLabel* m_state;
   QLabel* m_complaint; // over the drawing, beside the field that it is about
   BusyBar* m_busy;
+  BusyRow* m_busyRow;
+  QStackedWidget* m_statePlace; // what the plan is, or what is under way
   QButtonGroup* m_viewButtons;
   QSplitter* m_views;
   QSplitter* m_split;
