@@ -223,10 +223,10 @@ Toolpath makeToolpath(const std::vector<pattern::Contour>& placed, const recipe:
   }
   std::vector<WheelLoop> loops;
   for (const Loop& loop : offset.loops) {
+    loops.push_back(makeWheelLoop(glass, offset, loop, recipe, stop));
     if (stop.stop_requested()) {
       return {};
     }
-    loops.push_back(makeWheelLoop(glass, offset, loop, recipe));
   }
   Builder builder(glass, recipe, leads, stop);
   builder.addLoops(std::move(loops));

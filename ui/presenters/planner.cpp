@@ -200,7 +200,8 @@ void Planner::giveUpOpening(const base::Problem& problem) {
 }
 
 void Planner::finished() {
-  if (std::exchange(m_again, false)) {
+  const bool hasPattern = m_opening || m_import; // what was to be opened may have come to nothing
+  if (std::exchange(m_again, false) && hasPattern) {
     start();
     return;
   }
