@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/window_thread.h"
 #include "ui/presenters/alarms_state.h"
 #include "ui/presenters/machine_link.h"
 #include "ui/presenters/pattern_shelf.h"
@@ -80,6 +81,7 @@ private:
   void tellProblems();
   void showTitle();
 
+  base::WindowThread m_thread; // from here on nothing long runs on it
   Preferences m_preferences;
   Planner m_planner;
   RecipeDesk m_desk;

@@ -100,6 +100,7 @@ enum class Code {
   // Speed
   MachineSpeedBinds,
   NumericalFailure,
+  Cancelled,
   // A job that was broken off
   JobOfAnotherPattern,
   JobOfAnotherMachine,

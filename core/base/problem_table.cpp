@@ -142,6 +142,7 @@ const std::vector<CodeInfo>& allCodes() {
       {MachineSpeedBinds, "machine-speed-binds", Note,
        "The machine's greatest speed of the {axis} axis is below the feed; it limits the speed on the contour."},
       {NumericalFailure, "numerical-failure", Error, "Internal error: {reason}."},
+      {Cancelled, "cancelled", Error, "It was given up before it was done."},
 
       {JobOfAnotherPattern, "job-of-another-pattern", Error,
        "The job that was broken off is of another pattern or an earlier state of it: {file} had the fingerprint {was}, "

@@ -1,5 +1,6 @@
 #include "core/files/alarm_log.h"
 
+#include "core/base/window_thread.h"
 #include "core/files/json_members.h"
 #include "core/files/lines.h"
 #include "core/files/whole_file.h"
@@ -62,6 +63,7 @@ Expected<void> appendAlarm(const path& log, const Alarm& alarm, std::size_t larg
 }
 
 Expected<AlarmLog> readAlarmLog(const path& log) {
+  base::takesLong("readAlarmLog");
   AlarmLog result;
   std::error_code none;
   if (!std::filesystem::exists(log, none)) {

@@ -1,5 +1,6 @@
 #include "core/files/back_up.h"
 
+#include "core/base/window_thread.h"
 #include "core/files/counters.h"
 #include "core/files/file_hash.h"
 #include "core/files/json_members.h"
@@ -360,6 +361,7 @@ fs::path newBackUpFile(const fs::path& folder, std::string_view made) {
 } // namespace
 
 Expected<std::size_t> writeBackUp(const fs::path& stateFolder, const fs::path& archive, const BundleOrigin& origin) {
+  base::takesLong("writeBackUp");
   return filesOfBackUp(stateFolder).and_then([&](const BundledFiles& files) -> Expected<std::size_t> {
     return files.empty() ? Expected<std::size_t>(0)
                          : writeWithManifest(archive, manifestOf(kBackUpKind, files, origin), files);
@@ -368,12 +370,14 @@ Expected<std::size_t> writeBackUp(const fs::path& stateFolder, const fs::path& a
 
 Expected<std::size_t> writeSupportBundle(const fs::path& stateFolder, const fs::path& archive,
                                          const BundleOrigin& origin) {
+  base::takesLong("writeSupportBundle");
   std::vector<std::string> leftOut;
   const BundledFiles files = filesOfSupport(stateFolder, leftOut);
   return writeWithManifest(archive, manifestOf(kSupportKind, files, origin, leftOut), files);
 }
 
 Expected<BackUp> readBackUp(const fs::path& archive, const BundleLimits& limits) {
+  base::takesLong("readBackUp");
   return readBundle(archive, limits).and_then([&](BundledFiles files) {
     return BackUpCheck(archive).check(std::move(files));
   });
@@ -381,6 +385,7 @@ Expected<BackUp> readBackUp(const fs::path& archive, const BundleLimits& limits)
 
 Expected<std::optional<fs::path>> restoreBackUp(const BackUp& backUp, const fs::path& stateFolder,
                                                 const BundleOrigin& now) {
+  base::takesLong("restoreBackUp");
   const fs::path kept = StateFolder{stateFolder}.backUps();
   std::error_code error;
   for (const fs::path& folder : {kept, StateFolder{stateFolder}.recipes()}) {

@@ -1,6 +1,7 @@
 #include "core/files/gcode.h"
 
 #include "core/base/numbers.h"
+#include "core/base/window_thread.h"
 #include "core/files/gcode_text.h"
 #include "core/geometry/parabola_arcs.h"
 
@@ -249,6 +250,7 @@ private:
 } // namespace
 
 std::string gcode(const Job& job, std::string_view patternFile, TransitionForm form) {
+  base::takesLong("gcode");
   assert(job.canBeGround() && !job.track.empty());
   GCodeText text;
   writeHeader(text, job, patternFile);

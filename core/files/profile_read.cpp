@@ -1,4 +1,5 @@
 #include "core/base/numbers.h"
+#include "core/base/window_thread.h"
 #include "core/files/profile_columns.h"
 #include "core/files/profile_csv.h"
 
@@ -181,6 +182,7 @@ private:
 } // namespace
 
 Expected<std::vector<ProfileRow>> readProfile(std::string_view text, std::string_view file) {
+  base::takesLong("readProfile");
   return ProfileReader(text, file).read();
 }
 

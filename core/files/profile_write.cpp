@@ -1,3 +1,4 @@
+#include "core/base/window_thread.h"
 #include "core/files/profile_columns.h"
 #include "core/files/profile_csv.h"
 #include "core/files/run_row.h"
@@ -139,6 +140,7 @@ private:
 };
 
 void writeProfile(const job::Job& job, Output& output, const std::function<void(double)>& progress) {
+  base::takesLong("writeProfile");
   constexpr std::size_t kRowsBetweenProgress = 10000;
   ProfileText text(output);
   text.names(kProfileColumns);

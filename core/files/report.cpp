@@ -1,6 +1,7 @@
 #include "core/files/report.h"
 
 #include "core/base/numbers.h"
+#include "core/base/window_thread.h"
 #include "core/files/because.h"
 #include "core/files/json.h"
 #include "core/recipe/fields.h"
@@ -274,6 +275,7 @@ std::optional<ReportFigures::Corner> cornerFigures(const Json& object, std::opti
 } // namespace
 
 std::string report(const pattern::Pattern& pattern, const Job& job, std::string_view file) {
+  base::takesLong("report");
   JsonWriter json;
   openReport(json);
   writePattern(json, pattern, job.contours, job.toolpath.unground, job.placement.motion, file);

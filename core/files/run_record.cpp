@@ -1,5 +1,6 @@
 #include "core/files/run_record.h"
 
+#include "core/base/window_thread.h"
 #include "core/files/json_members.h"
 #include "core/files/row_coding.h"
 
@@ -401,6 +402,7 @@ bool isRecord(const path& file) {
 }
 
 Expected<RunRecord> readRecord(const path& file, const RecordListener& listener) {
+  base::takesLong("readRecord");
   Descriptor descriptor = openToRead(file);
   if (!descriptor.isOpen()) {
     return Unexpected(systemProblem(Code::CannotOpen, file, errno));

@@ -1,5 +1,6 @@
 #include "core/job/job.h"
 
+#include "core/base/window_thread.h"
 #include "core/job/contour_numbers.h"
 #include "core/job/phases.h"
 #include "core/job/placement.h"
@@ -41,6 +42,51 @@ void timeIt(Job& job) {
   job.duration = job.pieces.back().motion.time + job.pieces.back().motion.duration;
 }
 
+// Up to the wheel path; false where that cannot be ground.
+bool planWheelPath(Job& job, const pattern::Pattern& pattern, toolpath::Leads leads, const std::stop_token& stop) {
+  const recipe::Recipe& recipe = job.recipe;
+  const recipe::Machine& machine = job.machine;
+  job.placement = placementOf(pattern.contours, recipe, machine);
+  job.contours = placed(pattern.contours, job.placement);
+  job.problems = placed(pattern.problems, job.placement);
+  append(job.problems, checkHeights(recipe, machine));
+  append(job.problems, checkPark(job.contours, recipe, machine));
+  if (base::hasErrors(pattern.problems)) {
+    return false;
+  }
+
+  base::Problems ofSize;
+  job.contours = toolpath::sizeCorrected(job.contours, recipe.sizeCorrection, ofSize);
+  append(job.problems, ofSize);
+  if (base::hasErrors(ofSize)) {
+    return false;
+  }
+  job.toolpath = toolpath::makeToolpath(job.contours, recipe, leads, machine.park.head<2>(), stop);
+  if (stop.stop_requested()) {
+    return false;
+  }
+  numberContoursAsMachined(job);
+  base::Problems problems = job.toolpath.problems;
+  append(problems, checkTravel(job.toolpath, machine));
+  append(problems, machineSpeedNotes(recipe, machine));
+  base::keepFirstOfEachCode(problems);
+  append(job.problems, problems);
+  return job.canBeGround();
+}
+
+void planSpeeds(Job& job, const std::stop_token& stop) {
+  job.track = makeTrack(job.toolpath, job.recipe, job.machine);
+  job.limits = motion::axisLimits(job.recipe, job.machine);
+  job.intervals = motion::speedLimits(job.track, job.limits, stop);
+  if (!stop.stop_requested()) {
+    job.pieces = planPieces(job.track, job.intervals, job.limits, stop);
+  }
+  if (!stop.stop_requested()) {
+    job.cornerResults = cornerResults(job.track, job.pieces, job.toolpath.corners.size());
+    timeIt(job);
+  }
+}
+
 } // namespace
 
 std::string_view name(Phase phase) {
@@ -51,42 +97,21 @@ std::string_view name(Phase phase) {
 }
 
 Job planJob(const pattern::Pattern& pattern, const recipe::Recipe& recipe, const recipe::Machine& machine,
-            toolpath::Leads leads) {
+            toolpath::Leads leads, const base::Monitor& monitor) {
+  base::takesLong("planJob");
   Job job;
   job.recipe = recipe;
   job.machine = machine;
-  job.placement = placementOf(pattern.contours, recipe, machine);
-  job.contours = placed(pattern.contours, job.placement);
-  job.problems = placed(pattern.problems, job.placement);
-  append(job.problems, checkHeights(recipe, machine));
-  append(job.problems, checkPark(job.contours, recipe, machine));
-  if (base::hasErrors(pattern.problems)) {
-    return job;
+  monitor.begin(base::Stage::WheelPath);
+  if (planWheelPath(job, pattern, leads, monitor.stop)) {
+    monitor.begin(base::Stage::Speeds);
+    planSpeeds(job, monitor.stop);
   }
-
-  base::Problems ofSize;
-  job.contours = toolpath::sizeCorrected(job.contours, recipe.sizeCorrection, ofSize);
-  append(job.problems, ofSize);
-  if (base::hasErrors(ofSize)) {
-    return job;
+  if (monitor.stop.stop_requested()) {
+    job.track.clear();
+    job.pieces.clear();
+    job.problems = {base::Problem(base::Code::Cancelled)};
   }
-  job.toolpath = toolpath::makeToolpath(job.contours, recipe, leads, machine.park.head<2>());
-  numberContoursAsMachined(job);
-  base::Problems problems = job.toolpath.problems;
-  append(problems, checkTravel(job.toolpath, machine));
-  append(problems, machineSpeedNotes(recipe, machine));
-  base::keepFirstOfEachCode(problems);
-  append(job.problems, problems);
-  if (!job.canBeGround()) {
-    return job;
-  }
-
-  job.track = makeTrack(job.toolpath, recipe, machine);
-  job.limits = motion::axisLimits(recipe, machine);
-  job.intervals = motion::speedLimits(job.track, job.limits);
-  job.pieces = planPieces(job.track, job.intervals, job.limits);
-  job.cornerResults = cornerResults(job.track, job.pieces, job.toolpath.corners.size());
-  timeIt(job);
   return job;
 }
 

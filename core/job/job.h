@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/monitor.h"
 #include "core/motion/interpolator.h"
 #include "core/toolpath/toolpath.h"
 
@@ -75,7 +76,7 @@ struct Job {
 /// Values in, value out; the same input gives the same bytes. Recipe and machine have been checked. With errors among
 /// the problems, as many of the steps were done as could be, for the preview; track and pieces are empty then.
 [[nodiscard]] Job planJob(const pattern::Pattern& pattern, const recipe::Recipe& recipe, const recipe::Machine& machine,
-                          toolpath::Leads leads = toolpath::Leads::With);
+                          toolpath::Leads leads = toolpath::Leads::With, const base::Monitor& monitor = {});
 
 /// One row of the profile.
 struct Sample {

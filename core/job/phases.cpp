@@ -120,7 +120,7 @@ CornerResult resultOf(const std::vector<Segment>& track, const std::vector<Plann
 } // namespace
 
 std::vector<PlannedPiece> planPieces(const std::vector<Segment>& track, const std::vector<motion::Interval>& intervals,
-                                     const motion::AxisLimits& limits) {
+                                     const motion::AxisLimits& limits, const std::stop_token& stop) {
   std::vector<PlannedPiece> pieces;
   pieces.reserve(intervals.size() + 2 * track.size());
   motion::Interpolator interpolator(track, intervals, limits);
@@ -130,7 +130,7 @@ std::vector<PlannedPiece> planPieces(const std::vector<Segment>& track, const st
       const Segment& segment = track[static_cast<std::size_t>(piece.segment)];
       pieces.push_back({piece, phaseOf(segment.move, piece.acceleration), segment.corner});
     }
-  } while (interpolator.nextPiece());
+  } while (interpolator.nextPiece() && !stop.stop_requested());
   attributeAccelerations(track, pieces);
   attributeDecelerations(track, pieces);
   return pieces;

@@ -207,10 +207,11 @@ AxisLimits axisLimits(const recipe::Recipe& recipe, const recipe::Machine& machi
   return {{recipe.accelX, recipe.accelY, recipe.accelZ}, machine.maxSpeed / 60, recipe.accelerationRule};
 }
 
-std::vector<Interval> speedLimits(const std::vector<Segment>& track, const AxisLimits& limits) {
+std::vector<Interval> speedLimits(const std::vector<Segment>& track, const AxisLimits& limits,
+                                  const std::stop_token& stop) {
   std::vector<Interval> result; // from the last to the first
   BackwardPass pass(limits);
-  for (std::size_t s = track.size(); s-- > 0;) {
+  for (std::size_t s = track.size(); s-- > 0 && !stop.stop_requested();) {
     const Segment& segment = track[s];
     const std::vector<double> ends = boundaries(segment, parameterLength(segment), limits);
     const std::vector<double> caps = caps2(segment, limits, ends);

@@ -3,6 +3,7 @@
 #include "core/motion/track.h"
 #include "core/recipe/recipe.h"
 
+#include <stop_token>
 #include <vector>
 
 namespace arris::motion {
@@ -38,8 +39,10 @@ inline constexpr double kLowestOverride = 0.1;
 inline constexpr double kPlanningShare = 1 - 3e-6;
 
 /// The backward pass: the highest speed from which every later limit can still be kept, over a whole track that ends at
-/// rest. Reachability after Pham & Pham (TOPP-RA), with the limits held at both ends of every interval.
-[[nodiscard]] std::vector<Interval> speedLimits(const std::vector<Segment>& track, const AxisLimits& limits);
+/// rest. Reachability after Pham & Pham (TOPP-RA), with the limits held at both ends of every interval. A stop ends it
+/// early.
+[[nodiscard]] std::vector<Interval> speedLimits(const std::vector<Segment>& track, const AxisLimits& limits,
+                                                const std::stop_token& stop = {});
 
 /// The one interval of a straight move from rest to rest by itself, without a list: for the control loop.
 [[nodiscard]] Interval restToRest(const Segment& straight, const AxisLimits& limits);

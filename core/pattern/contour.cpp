@@ -181,8 +181,8 @@ void renumber(std::vector<Contour>& contours, base::Problems& notes) {
   }
 }
 
-void nest(std::vector<Contour>& contours, base::Problems& problems) {
-  Effort effort(contours.size());
+void nest(std::vector<Contour>& contours, base::Problems& problems, const std::stop_token& stop) {
+  Effort effort(contours.size(), stop);
   const std::vector<std::size_t> parent = parents(contours, effort);
   if (effort.isSpent()) {
     problems.push_back(tooDense(contours.front(), effort));
@@ -276,7 +276,8 @@ void checkAgainstOthers(const std::vector<Contour>& contours, std::size_t i, con
 
 } // namespace
 
-Contour makeContour(int id, std::vector<Curve> closedChain, double smooth, base::Problems& notes) {
+Contour makeContour(int id, std::vector<Curve> closedChain, double smooth, base::Problems& notes,
+                    const std::stop_token& stop) {
   Contour contour;
   contour.id = id;
   contour.curves = std::move(closedChain);
@@ -288,7 +289,7 @@ Contour makeContour(int id, std::vector<Curve> closedChain, double smooth, base:
   ChordFit fit;
   if (smooth > 0) {
     startAtTheLowest(contour.curves);
-    fit = fitChords(contour.curves, smooth);
+    fit = fitChords(contour.curves, smooth, stop);
     for (Problem& note : fit.notes) {
       notes.push_back(std::move(note).ofContour(id));
     }
@@ -298,13 +299,16 @@ Contour makeContour(int id, std::vector<Curve> closedChain, double smooth, base:
   return contour;
 }
 
-void takeOutCopies(std::vector<Contour>& contours, base::Problems& repairs) {
+void takeOutCopies(std::vector<Contour>& contours, base::Problems& repairs, const std::stop_token& stop) {
   if (contours.size() < 2) {
     return;
   }
   NearIndex index(contours.size());
   std::vector<Contour> kept;
   for (Contour& contour : contours) {
+    if (stop.stop_requested()) {
+      return;
+    }
     const NearIndex::Numbers numbers = boxNumbers(contour);
     const std::optional<std::size_t> copy =
         index.find(numbers, [&](std::size_t other) { return areCopies(kept[other], contour); });
@@ -322,18 +326,18 @@ void takeOutCopies(std::vector<Contour>& contours, base::Problems& repairs) {
   contours = std::move(kept);
 }
 
-void sortContours(std::vector<Contour>& contours, base::Problems& notes) {
+void sortContours(std::vector<Contour>& contours, base::Problems& notes, const std::stop_token& stop) {
   sortByPlace(contours);
   renumber(contours, notes);
   if (contours.size() > 1) {
-    nest(contours, notes);
+    nest(contours, notes, stop);
   }
 }
 
-base::Problems checkContours(const std::vector<Contour>& contours) {
+base::Problems checkContours(const std::vector<Contour>& contours, const std::stop_token& stop) {
   base::Problems problems;
   const ContourIndex index(contours);
-  Effort effort(countOfCurves(contours));
+  Effort effort(countOfCurves(contours), stop);
   for (std::size_t i = 0; i < contours.size() && !effort.isSpent(); ++i) {
     checkAlone(contours[i], index.trees[i], effort, problems);
     checkAgainstOthers(contours, i, index, effort, problems);

@@ -24,7 +24,8 @@ bool isTypeName(std::string_view text) {
 /// One walk over the groups of a text, section by section.
 class Gate {
 public:
-  Gate(std::string_view text, std::optional<recipe::Units> units) : m_text(text), m_cursor(text), m_units(units) {}
+  Gate(std::string_view text, std::optional<recipe::Units> units, std::stop_token stop)
+      : m_text(text), m_cursor(text), m_units(units), m_stop(std::move(stop)) {}
 
   base::Expected<Inventory> inspect();
 
@@ -57,6 +58,7 @@ private:
   std::string_view m_text;
   GroupCursor m_cursor;
   std::optional<recipe::Units> m_units;
+  std::stop_token m_stop;
   Inventory m_found;
 
   Section m_section = Section::None;
@@ -87,6 +89,9 @@ base::Expected<Inventory> Gate::inspect() {
   Group group;
   m_beforeGroup = m_cursor.offset();
   while (!m_ended && m_cursor.next(group)) {
+    if (m_stop.stop_requested()) {
+      return Unexpected(Problem(Code::Cancelled));
+    }
     const Step problem = group.code == 0 ? takeType(group) : takeGroup(group);
     if (problem) {
       return Unexpected(problem->line ? *problem : Problem(*problem).onLine(group.line));
@@ -420,7 +425,8 @@ std::optional<Problem> notEvenText(std::string_view text) {
 
 } // namespace
 
-base::Expected<Inventory> inspectDxf(std::string_view text, std::optional<recipe::Units> units) {
+base::Expected<Inventory> inspectDxf(std::string_view text, std::optional<recipe::Units> units,
+                                     const std::stop_token& stop) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (isBinaryDxf(text)) {
     base::Expected<std::string> converted = textOfBinaryDxf(text);
@@ -428,7 +434,7 @@ base::Expected<Inventory> inspectDxf(std::string_view text, std::optional<recipe
       return Unexpected(converted.error());
     }
     auto kept = std::make_unique<const std::string>(*std::move(converted));
-    base::Expected<Inventory> found = Gate(*kept, units).inspect();
+    base::Expected<Inventory> found = Gate(*kept, units, stop).inspect();
     if (found) {
       found->converted = std::move(kept);
     }
@@ -440,7 +446,7 @@ base::Expected<Inventory> inspectDxf(std::string_view text, std::optional<recipe
   if (std::optional<Problem> problem = notEvenText(text)) {
     return Unexpected(*std::move(problem));
   }
-  return Gate(text, units).inspect();
+  return Gate(text, units, stop).inspect();
 }
 
 std::string layerKey(std::string_view name) {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,8 +45,9 @@ struct Inventory {
 /// file reached), and every number of an entity that can be part of a contour is finite and sane. `units` is what the
 /// user says over what the file says; it decides which coordinates are absurd. Blocks are judged alike, but what is
 /// wrong within one is kept with it. A binary file is turned into text first: lines are then those of this text, two
-/// for each group.
-[[nodiscard]] base::Expected<Inventory> inspectDxf(std::string_view text, std::optional<recipe::Units> units);
+/// for each group. Cancelled once a stop is requested.
+[[nodiscard]] base::Expected<Inventory> inspectDxf(std::string_view text, std::optional<recipe::Units> units,
+                                                   const std::stop_token& stop = {});
 
 /// The name of a layer as it is compared: without regard to case.
 [[nodiscard]] std::string layerKey(std::string_view name);

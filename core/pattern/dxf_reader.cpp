@@ -11,6 +11,7 @@
 #include <mutex>
 #include <sstream>
 #include <stdexcept>
+#include <stop_token>
 #include <unordered_map>
 
 namespace arris::pattern {
@@ -139,12 +140,14 @@ struct PlainShapes {
   std::vector<Range> ranges;
 };
 
-/// Takes one call, or one polyline with its vertices, for each entity.
+/// Takes one call, or one polyline with its vertices, for each entity. A stop ends the stream.
 class ShapeTaker : public DL_CreationAdapter {
 public:
-  explicit ShapeTaker(PlainShapes& shapes) : m_shapes(shapes) {}
+  ShapeTaker(PlainShapes& shapes, std::istream& stream, std::stop_token stop)
+      : m_shapes(shapes), m_stream(stream), m_stop(std::move(stop)) {}
 
   void addLine(const DL_LineData& line) override {
+    endWhenStopped();
     m_shapes.ranges.push_back({m_shapes.vertices.size(), 2});
     m_shapes.vertices.push_back({{line.x1, line.y1}, 0});
     m_shapes.vertices.push_back({{line.x2, line.y2}, 0});
@@ -161,6 +164,7 @@ public:
   }
 
   void addPolyline(const DL_PolylineData&) override {
+    endWhenStopped();
     m_shapes.ranges.push_back({m_shapes.vertices.size(), 0});
   }
 
@@ -170,12 +174,21 @@ public:
   }
 
 private:
+  void endWhenStopped() {
+    if (m_stop.stop_requested()) {
+      m_stream.setstate(std::ios::eofbit);
+    }
+  }
+
   void addRound(double x, double y, double radius, double startDegrees, double sweepDegrees) {
+    endWhenStopped();
     m_shapes.ranges.push_back({m_shapes.rounds.size(), 1});
     m_shapes.rounds.push_back({{x, y}, radius, base::radians(startDegrees), base::radians(sweepDegrees)});
   }
 
   PlainShapes& m_shapes;
+  std::istream& m_stream;
+  std::stop_token m_stop;
 };
 
 bool isRound(EntityKind kind) {
@@ -186,14 +199,14 @@ bool isPlain(EntityKind kind) {
   return kind == EntityKind::Line || isRound(kind) || kind == EntityKind::LwPolyline || kind == EntityKind::Polyline;
 }
 
-PlainShapes readPlain(const std::vector<const Entity*>& entities) {
+PlainShapes readPlain(const std::vector<const Entity*>& entities, const std::stop_token& stop) {
   static std::mutex oneAtATime; // dxflib counts lines in a static variable
   const std::lock_guard lock(oneAtATime);
   PlainShapes shapes;
-  ShapeTaker taker(shapes);
   std::istringstream stream(asDxf(entities));
+  ShapeTaker taker(shapes, stream, stop);
   DL_Dxf().in(stream, &taker);
-  if (shapes.ranges.size() != entities.size()) {
+  if (shapes.ranges.size() != entities.size() && !stop.stop_requested()) {
     throw std::logic_error("entities were lost");
   }
   return shapes;
@@ -223,7 +236,7 @@ bool isSane(const EllipticArc& arc) {
 /// Puts entities where they are drawn, as pieces in mm.
 class PieceMaker {
 public:
-  explicit PieceMaker(const Selection& selection) : m_selection(selection) {}
+  PieceMaker(const Selection& selection, std::stop_token stop) : m_selection(selection), m_stop(std::move(stop)) {}
 
   [[nodiscard]] ReadEntities make();
 
@@ -243,6 +256,7 @@ private:
   void refusePlace(const PlacedEntity& placed);
 
   const Selection& m_selection;
+  std::stop_token m_stop;
   std::vector<std::size_t> m_shapeOf; ///< number of the plain shape of each entity of the selection
   PlainShapes m_plain;
   geometry::ArcFitter m_fitter{geometry::kFitTolerance, kMostFittingSteps};
@@ -255,7 +269,7 @@ private:
 
 ReadEntities PieceMaker::make() {
   readPlainEntities();
-  for (std::size_t i = 0; i < m_selection.entities.size(); ++i) {
+  for (std::size_t i = 0; i < m_selection.entities.size() && !m_stop.stop_requested(); ++i) {
     add(m_selection.entities[i], i);
     if (m_gaveUp) {
       m_read.problems.push_back(
@@ -281,7 +295,7 @@ void PieceMaker::readPlainEntities() {
     }
     m_shapeOf.push_back(shape);
   }
-  m_plain = readPlain(plain);
+  m_plain = readPlain(plain, m_stop);
 }
 
 void PieceMaker::add(const PlacedEntity& placed, std::size_t number) {
@@ -476,8 +490,8 @@ void PieceMaker::refusePlace(const PlacedEntity& placed) {
 
 } // namespace
 
-ReadEntities readEntities(const Selection& selection) {
-  return PieceMaker(selection).make();
+ReadEntities readEntities(const Selection& selection, const std::stop_token& stop) {
+  return PieceMaker(selection, stop).make();
 }
 
 } // namespace arris::pattern

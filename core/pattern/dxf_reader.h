@@ -4,6 +4,8 @@
 #include "core/pattern/dxf_selection.h"
 #include "core/pattern/pieces.h"
 
+#include <stop_token>
+
 namespace arris::pattern {
 
 /// All splines, ellipses and unevenly scaled arcs of a drawing together may take this many steps of fitting.
@@ -19,6 +21,7 @@ struct ReadEntities {
 /// Reads entities that have passed the gate, the plain ones with dxflib; independent of every locale. What one entity
 /// draws without a break is one piece. Splines, ellipses, and arcs that are scaled unevenly become lines and arcs
 /// within `geometry::kFitTolerance`.
-[[nodiscard]] ReadEntities readEntities(const Selection& selection);
+/// A stop ends it early.
+[[nodiscard]] ReadEntities readEntities(const Selection& selection, const std::stop_token& stop = {});
 
 } // namespace arris::pattern

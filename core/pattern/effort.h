@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <stop_token>
+#include <utility>
 
 namespace arris::pattern {
 
@@ -15,12 +17,14 @@ inline constexpr std::int64_t kMostComparisonsOfEach = 200;
 /// What is left of them.
 class Effort {
 public:
-  explicit Effort(std::size_t things)
-      : m_most(kMostComparisons + kMostComparisonsOfEach * static_cast<std::int64_t>(things)), m_left(m_most) {}
+  /// A stop leaves nothing.
+  explicit Effort(std::size_t things, std::stop_token stop = {})
+      : m_most(kMostComparisons + kMostComparisonsOfEach * static_cast<std::int64_t>(things)), m_left(m_most),
+        m_stop(std::move(stop)) {}
 
   /// False once nothing is left.
   bool spend(std::int64_t comparisons = 1) {
-    m_left -= comparisons;
+    m_left = m_stop.stop_requested() ? 0 : m_left - comparisons;
     return m_left > 0;
   }
 
@@ -35,6 +39,7 @@ public:
 private:
   std::int64_t m_most;
   std::int64_t m_left;
+  std::stop_token m_stop;
 };
 
 } // namespace arris::pattern

@@ -18,8 +18,8 @@ constexpr int kMostDepth = 3;
 
 class ChordFitter {
 public:
-  ChordFitter(const std::vector<Curve>& chain, double tolerance)
-      : m_chain(chain), m_tolerance(tolerance), m_joints(findChoppedJoints(chain, tolerance)) {
+  ChordFitter(const std::vector<Curve>& chain, double tolerance, std::stop_token stop)
+      : m_chain(chain), m_tolerance(tolerance), m_stop(std::move(stop)), m_joints(findChoppedJoints(chain, tolerance)) {
     m_fit.notes = std::move(m_joints.notes);
   }
 
@@ -31,7 +31,7 @@ public:
       fitRunOf(0, n, true, 0);
       return std::move(m_fitted);
     }
-    for (std::size_t i = start; i < start + n;) {
+    for (std::size_t i = start; i < start + n && !m_stop.stop_requested();) {
       std::size_t end = i + 1;
       while (end < start + n && !endsRun(end % n)) {
         ++end;
@@ -71,7 +71,7 @@ private:
   /// `depth`: how many times what could not be followed was taken out.
   void fitRunOf(std::size_t begin, std::size_t end, bool closed, int depth) {
     if (end - begin > 1) {
-      const FittedRun fitted = fitRun(runOf(begin, end, closed), m_tolerance);
+      const FittedRun fitted = fitRun(runOf(begin, end, closed), m_tolerance, m_stop);
       if (fitted.deviation <= m_tolerance) {
         m_fitted.insert(m_fitted.end(), fitted.curves.begin(), fitted.curves.end());
         m_fit.deviation = std::max(m_fit.deviation, fitted.deviation);
@@ -136,6 +136,7 @@ private:
 
   const std::vector<Curve>& m_chain;
   double m_tolerance;
+  std::stop_token m_stop;
   ChoppedJoints m_joints;
   std::vector<Curve> m_fitted;
   ChordFit m_fit;
@@ -143,13 +144,15 @@ private:
 
 } // namespace
 
-ChordFit fitChords(std::vector<Curve>& closedChain, double tolerance) {
+ChordFit fitChords(std::vector<Curve>& closedChain, double tolerance, const std::stop_token& stop) {
   if (closedChain.size() < 3) {
     return {};
   }
-  ChordFitter fitter(closedChain, tolerance);
+  ChordFitter fitter(closedChain, tolerance, stop);
   std::vector<Curve> fitted = fitter.fit();
-  closedChain = std::move(fitted);
+  if (!stop.stop_requested()) {
+    closedChain = std::move(fitted);
+  }
   return fitter.result();
 }
 

@@ -60,7 +60,8 @@ struct ThreePoints {
 
 class RunFitter {
 public:
-  RunFitter(ChordRun run, double tolerance) : m_run(std::move(run)), m_tolerance(tolerance) {}
+  RunFitter(ChordRun run, double tolerance, std::stop_token stop)
+      : m_run(std::move(run)), m_tolerance(tolerance), m_stop(std::move(stop)) {}
 
   FittedRun fit() {
     m_shape = shapeOf(m_run, {});
@@ -297,7 +298,7 @@ private:
     m_shape.centred[from] = start.point;
     m_shape.centred[to] = end.point;
     m_section = {from, to, end, reachIn(from, to)};
-    for (std::size_t here = from; here < to;) {
+    for (std::size_t here = from; here < to && !m_stop.stop_requested();) {
       const std::size_t next = farthestFrom(here, start);
       const Span span = spanBetween(here, start, next);
       append(span.arcs, span.distance);
@@ -400,6 +401,7 @@ private:
   ChordRun m_run;
   std::size_t m_rotated = 0; ///< number that its first vertex had when it came
   double m_tolerance;
+  std::stop_token m_stop;
   Section m_section; ///< that is being fitted
   ChordShape m_shape;
   std::vector<Straight> m_straights;
@@ -408,8 +410,8 @@ private:
 
 } // namespace
 
-FittedRun fitRun(const ChordRun& run, double tolerance) {
-  return RunFitter(run, tolerance).fit();
+FittedRun fitRun(const ChordRun& run, double tolerance, const std::stop_token& stop) {
+  return RunFitter(run, tolerance, stop).fit();
 }
 
 } // namespace arris::pattern

@@ -2,6 +2,8 @@
 
 #include "core/pattern/chord_run.h"
 
+#include <stop_token>
+
 namespace arris::pattern {
 
 /// Lines and arcs, tangential to each other, that stand for a run of chords.
@@ -13,6 +15,7 @@ struct FittedRun {
 
 /// Fits a run within `tolerance` by few curves: one line, arc or circle if that will do, else its straight parts and
 /// arcs between them. Where not even that is within the tolerance, the result says so and is of no use.
-[[nodiscard]] FittedRun fitRun(const ChordRun& run, double tolerance);
+/// A stop ends it early.
+[[nodiscard]] FittedRun fitRun(const ChordRun& run, double tolerance, const std::stop_token& stop = {});
 
 } // namespace arris::pattern

@@ -182,13 +182,19 @@ Curve withEnds(const Curve& lineOrArc, const Point& from, const Point& to) {
   return geometry::arcBetween(from, to, std::copysign(2 * kPi - missing, sweep));
 }
 
-Chains chainPieces(Pieces pieces, double gap) {
+Chains chainPieces(Pieces pieces, double gap, const std::stop_token& stop) {
   Chains chains;
   pieces = withoutDuplicates(withoutZeroLength(std::move(pieces), chains.repairs), chains.repairs);
   pieces = takeOutClosed(std::move(pieces), chains);
-  Matches matches = matchEnds(pieces, chains.closed, gap);
+  if (stop.stop_requested()) {
+    return chains;
+  }
+  Matches matches = matchEnds(pieces, chains.closed, gap, stop);
   chains.repairs.insert(chains.repairs.end(), matches.repairs.begin(), matches.repairs.end());
   chains.problems = std::move(matches.problems);
+  if (stop.stop_requested()) {
+    return chains;
+  }
   ChainWalk walk(pieces, matches);
   for (EndId end = 0; end < matches.partner.size(); ++end) {
     if (matches.partner[end] == kNoEnd) {

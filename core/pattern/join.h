@@ -3,6 +3,7 @@
 #include "core/base/problem.h"
 #include "core/pattern/pieces.h"
 
+#include <stop_token>
 #include <vector>
 
 namespace arris::pattern {
@@ -18,8 +19,8 @@ struct Chains {
 /// Closed chains from pieces in any order and direction: lines and arcs without length are taken out, doubles too, ends
 /// up to `gap` apart are moved to their middle (an arc keeps its sweep), which moves the first and the last curve of a
 /// piece only. A piece that is closed is a chain by itself. The result does not depend on the order of the pieces but
-/// for where chains start and which way they run.
-[[nodiscard]] Chains chainPieces(Pieces pieces, double gap);
+/// for where chains start and which way they run. A stop ends it early.
+[[nodiscard]] Chains chainPieces(Pieces pieces, double gap, const std::stop_token& stop = {});
 
 /// The same curve with its ends moved by a little: a line to between them, an arc with its sweep kept, or its radius
 /// where it is nearly a full circle.

@@ -110,7 +110,8 @@ std::vector<Point> endsOf(const Pieces& pieces) {
 /// Every curve of a drawing by its place, to find what lies under a point.
 class CurvesByPlace {
 public:
-  CurvesByPlace(const Pieces& pieces, const std::vector<std::vector<Curve>>& closed) : m_effort(pieces.size()) {
+  CurvesByPlace(const Pieces& pieces, const std::vector<std::vector<Curve>>& closed, const std::stop_token& stop)
+      : m_effort(pieces.size(), stop) {
     std::vector<BoxEntry> entries;
     const auto add = [&](Chain chain, std::size_t piece) {
       for (const Curve& curve : chain) {
@@ -149,8 +150,9 @@ private:
 
 class Matcher {
 public:
-  Matcher(const Pieces& pieces, const std::vector<std::vector<Curve>>& closed, double gap)
-      : m_pieces(pieces), m_closed(closed), m_gap(gap), m_ends(endsOf(pieces)), m_branching(m_ends.size(), false) {
+  Matcher(const Pieces& pieces, const std::vector<std::vector<Curve>>& closed, double gap, std::stop_token stop)
+      : m_pieces(pieces), m_closed(closed), m_gap(gap), m_stop(std::move(stop)), m_ends(endsOf(pieces)),
+        m_branching(m_ends.size(), false) {
     m_result.partner.assign(m_ends.size(), kNoEnd);
     m_result.joints = m_ends;
   }
@@ -247,11 +249,11 @@ private:
         }
       }
     };
-    for (std::uint32_t i = 0; i < ends.size(); ++i) {
+    for (std::uint32_t i = 0; i < ends.size() && !m_stop.stop_requested(); ++i) {
       enqueue(i);
     }
     std::vector<bool> taken(ends.size(), false);
-    while (!queue.empty()) {
+    while (!queue.empty() && !m_stop.stop_requested()) {
       const auto [distance, a, b] = queue.top();
       queue.pop();
       if (taken[a]) {
@@ -278,6 +280,9 @@ private:
     }
     const Tree tree(entries);
     for (const EndId end : free) {
+      if (m_stop.stop_requested()) {
+        return;
+      }
       const double reach = reachOf(end);
       const Point corner = Point::Constant(reach);
       const bg::model::box<TreePoint> box(treePoint(m_ends[end] - corner), treePoint(m_ends[end] + corner));
@@ -305,7 +310,7 @@ private:
 
   /// What is left may end on a piece between that one's ends. Where this is not found out, the end is told as free.
   void findEndsOnPieces(const std::vector<EndId>& free) {
-    CurvesByPlace curves(m_pieces, m_closed);
+    CurvesByPlace curves(m_pieces, m_closed, m_stop);
     for (const EndId end : free) {
       if (!m_branching[end] && curves.passes(m_ends[end], reachOf(end), pieceOf(end))) {
         m_branching[end] = true;
@@ -346,6 +351,7 @@ private:
   const Pieces& m_pieces;
   const std::vector<std::vector<Curve>>& m_closed;
   double m_gap;
+  std::stop_token m_stop;
   std::vector<Point> m_ends;
   std::vector<bool> m_branching;
   Matches m_result;
@@ -353,8 +359,9 @@ private:
 
 } // namespace
 
-Matches matchEnds(const Pieces& pieces, const std::vector<std::vector<Curve>>& closed, double gap) {
-  return Matcher(pieces, closed, gap).match();
+Matches matchEnds(const Pieces& pieces, const std::vector<std::vector<Curve>>& closed, double gap,
+                  const std::stop_token& stop) {
+  return Matcher(pieces, closed, gap, stop).match();
 }
 
 } // namespace arris::pattern

@@ -4,6 +4,7 @@
 #include "core/pattern/pieces.h"
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 namespace arris::pattern {
@@ -36,8 +37,8 @@ struct Matches {
 /// Joins the ends of pieces (none without length, none closed in itself) that are at most `gap` apart, nearest first;
 /// ties are decided by coordinates, never by the order of the pieces. Where three or more ends lie in one point, none
 /// of them is joined; an end that stays free on a piece or on one of the `closed` chains is told as such. Cost grows as
-/// n log n.
+/// n log n. A stop ends it early.
 [[nodiscard]] Matches matchEnds(const Pieces& pieces, const std::vector<std::vector<geometry::Curve>>& closed,
-                                double gap);
+                                double gap, const std::stop_token& stop);
 
 } // namespace arris::pattern

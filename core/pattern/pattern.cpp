@@ -1,5 +1,6 @@
 #include "core/pattern/pattern.h"
 
+#include "core/base/window_thread.h"
 #include "core/pattern/contour.h"
 #include "core/pattern/dxf_gate.h"
 #include "core/pattern/dxf_reader.h"
@@ -44,14 +45,14 @@ void dropConsequencesOfMissing(Problems& problems, const Problems& ofEntities) {
   }
 }
 
-Pattern readInventory(const Inventory& inventory, const ImportOptions& options) {
+Pattern readInventory(const Inventory& inventory, const ImportOptions& options, const base::Monitor& monitor) {
   const FoundUnits units = findUnits(options.units, inventory.insUnits, inventory.measurement);
   const double scale = millimetresPer(units.units);
   Selection selection = selectEntities(inventory, options.layers, scale);
-  ReadEntities read = readEntities(selection);
+  ReadEntities read = readEntities(selection, monitor.stop);
   append(selection.problems, read.problems);
 
-  Pattern pattern = joinPieces(std::move(read.pieces), options.gap, options.smooth);
+  Pattern pattern = joinPieces(std::move(read.pieces), options.gap, options.smooth, monitor);
   append(pattern.repairs, read.repairs);
   sortByPlace(pattern.repairs);
   pattern.units = units.units;
@@ -79,33 +80,47 @@ ImportOptions importOptions(const recipe::Recipe& recipe) {
   return {.units = recipe.units, .gap = recipe.gap, .smooth = recipe.smooth, .layers = recipe.layers};
 }
 
-Pattern readDxf(std::string_view text, const ImportOptions& options) {
+Pattern readDxf(std::string_view text, const ImportOptions& options, const base::Monitor& monitor) {
+  base::takesLong("readDxf");
+  monitor.begin(base::Stage::Reading);
   try {
-    const base::Expected<Inventory> inventory = inspectDxf(text, options.units);
-    return inventory ? readInventory(*inventory, options) : onlyWith(inventory.error());
+    const base::Expected<Inventory> inventory = inspectDxf(text, options.units, monitor.stop);
+    Pattern pattern = inventory ? readInventory(*inventory, options, monitor) : onlyWith(inventory.error());
+    return monitor.stop.stop_requested() ? onlyWith(Problem(Code::Cancelled)) : pattern;
   } catch (const std::exception& e) { // no memory left
     return onlyWith(Problem(Code::NumericalFailure, {{"reason", std::string(e.what())}}));
   }
 }
 
-Pattern joinPieces(Pieces pieces, double gap, double smooth) {
-  Chains chains = chainPieces(std::move(pieces), gap);
+Pattern joinPieces(Pieces pieces, double gap, double smooth, const base::Monitor& monitor) {
+  monitor.begin(base::Stage::Joining);
+  const std::stop_token& stop = monitor.stop;
+  if (stop.stop_requested()) {
+    return onlyWith(Problem(Code::Cancelled));
+  }
+  Chains chains = chainPieces(std::move(pieces), gap, stop);
   Pattern pattern;
   pattern.loose = std::move(chains.loose);
   pattern.repairs = std::move(chains.repairs);
   pattern.problems = std::move(chains.problems);
   Problems notes;
   for (std::vector<Curve>& chain : chains.closed) {
+    if (stop.stop_requested()) {
+      return onlyWith(Problem(Code::Cancelled));
+    }
     const int number = static_cast<int>(pattern.contours.size()) + 1;
-    pattern.contours.push_back(makeContour(number, std::move(chain), smooth, notes));
+    pattern.contours.push_back(makeContour(number, std::move(chain), smooth, notes, stop));
   }
-  takeOutCopies(pattern.contours, pattern.repairs);
-  sortContours(pattern.contours, notes);
+  takeOutCopies(pattern.contours, pattern.repairs, stop);
+  if (stop.stop_requested()) {
+    return onlyWith(Problem(Code::Cancelled));
+  }
+  sortContours(pattern.contours, notes, stop);
   if (pattern.contours.empty() && pattern.problems.empty()) {
     pattern.problems.emplace_back(Code::NoContour);
   }
   append(pattern.problems, notes);
-  append(pattern.problems, checkContours(pattern.contours));
+  append(pattern.problems, checkContours(pattern.contours, stop));
   sortByPlace(pattern.repairs);
   sortByPlace(pattern.problems);
   base::keepFirstOfEachCode(pattern.problems);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/monitor.h"
 #include "core/base/problem.h"
 #include "core/geometry/curve.h"
 #include "core/pattern/pieces.h"
@@ -56,11 +57,11 @@ struct ImportOptions {
 [[nodiscard]] ImportOptions importOptions(const recipe::Recipe& recipe);
 
 /// Reads a DXF drawing from memory. Never throws, whatever the text; cost grows as n log n.
-[[nodiscard]] Pattern readDxf(std::string_view text, const ImportOptions& options);
+[[nodiscard]] Pattern readDxf(std::string_view text, const ImportOptions& options, const base::Monitor& monitor = {});
 
 /// Closed contours from pieces in any order and direction: the steps behind the reader. mm; `gap` and `smooth` as in
 /// the options.
-[[nodiscard]] Pattern joinPieces(Pieces pieces, double gap, double smooth);
+[[nodiscard]] Pattern joinPieces(Pieces pieces, double gap, double smooth, const base::Monitor& monitor = {});
 
 [[nodiscard]] std::string_view name(recipe::Units units);
 [[nodiscard]] double millimetresPer(recipe::Units units);

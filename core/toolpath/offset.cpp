@@ -377,7 +377,8 @@ private:
   std::vector<bool> m_dropped;       ///< by span
 };
 
-std::vector<Span> cutAll(const Glass& glass, const std::vector<Piece>& pieces, double radius) {
+std::vector<Span> cutAll(const Glass& glass, const std::vector<Piece>& pieces, double radius,
+                         const std::stop_token& stop) {
   std::vector<Span> spans;
   spans.reserve(pieces.size());
   if (glass.isOneConvexPane()) {
@@ -387,7 +388,7 @@ std::vector<Span> cutAll(const Glass& glass, const std::vector<Piece>& pieces, d
     return spans;
   }
   Cutter cutter(glass, radius);
-  for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+  for (std::uint32_t i = 0; i < pieces.size() && !stop.stop_requested(); ++i) {
     for (const Stretch& stretch : cutter.cut(pieces[i])) {
       if (stretch.to - stretch.from > kSliver) {
         spans.push_back({i, stretch.from, stretch.to});
@@ -397,12 +398,16 @@ std::vector<Span> cutAll(const Glass& glass, const std::vector<Piece>& pieces, d
   return spans;
 }
 
-Offset tryOffset(const Glass& glass, double radius) {
+Offset tryOffset(const Glass& glass, double radius, const std::stop_token& stop) {
   Pieces maker(glass, radius);
   Offset result;
   result.radius = radius;
   result.pieces = maker.take();
-  Stitcher stitcher(glass, radius, result.pieces, maker.rings(), cutAll(glass, result.pieces, radius));
+  std::vector<Span> spans = cutAll(glass, result.pieces, radius, stop);
+  if (stop.stop_requested()) {
+    return result;
+  }
+  Stitcher stitcher(glass, radius, result.pieces, maker.rings(), std::move(spans));
   result.open = stitcher.open();
   if (!result.open) {
     result.loops = stitcher.loops();
@@ -412,10 +417,10 @@ Offset tryOffset(const Glass& glass, double radius) {
 
 } // namespace
 
-Offset offsetOf(const Glass& glass, double radius) {
-  Offset result = tryOffset(glass, radius);
+Offset offsetOf(const Glass& glass, double radius, const std::stop_token& stop) {
+  Offset result = tryOffset(glass, radius, stop);
   for (int i = 1; i < kTries && result.open; ++i) {
-    result = tryOffset(glass, radius + i * kLarger);
+    result = tryOffset(glass, radius + i * kLarger, stop);
   }
   return result;
 }

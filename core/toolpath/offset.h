@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace arris::toolpath {
@@ -39,7 +40,7 @@ struct Offset {
 
 /// The set of all points at the distance `radius` from the glass, on the wheel's side of it: every edge moved by the
 /// radius, arcs round convex corners, and all of it cut where it comes nearer than the radius to any other edge.
-/// O(n log n) unless very many edges lie within the radius of each other's way.
-[[nodiscard]] Offset offsetOf(const Glass& glass, double radius);
+/// O(n log n) unless very many edges lie within the radius of each other's way. A stop ends it early.
+[[nodiscard]] Offset offsetOf(const Glass& glass, double radius, const std::stop_token& stop = {});
 
 } // namespace arris::toolpath

@@ -88,12 +88,12 @@ std::size_t loopOfStart(const Glass& glass, const std::vector<WheelLoop>& loops,
 /// Makes chains of loops and puts them in order.
 class Builder {
 public:
-  Builder(const Glass& glass, const recipe::Recipe& recipe, Leads leads)
-      : m_glass(glass), m_recipe(recipe), m_leads(leads) {}
+  Builder(const Glass& glass, const recipe::Recipe& recipe, Leads leads, std::stop_token stop)
+      : m_glass(glass), m_recipe(recipe), m_leads(leads), m_stop(std::move(stop)) {}
 
   void addLoops(std::vector<WheelLoop> loops) {
     const std::size_t withStart = m_recipe.start ? loopOfStart(m_glass, loops, *m_recipe.start) : loops.size();
-    for (std::size_t i = 0; i < loops.size(); ++i) {
+    for (std::size_t i = 0; i < loops.size() && !m_stop.stop_requested(); ++i) {
       addLoop(std::move(loops[i]), i == withStart);
     }
   }
@@ -142,7 +142,7 @@ private:
     const std::size_t most =
         m_leads == Leads::With ? std::min({kMostTried, starts.size(), 1 + kMostSteps / loop.steps.size()}) : 1;
     Traced first = tracedFrom(loop, starts.front());
-    for (std::size_t i = 1; i < most && base::hasErrors(first.problems); ++i) {
+    for (std::size_t i = 1; i < most && base::hasErrors(first.problems) && !m_stop.stop_requested(); ++i) {
       Traced other = tracedFrom(loop, starts[i]);
       if (!base::hasErrors(other.problems)) {
         return other;
@@ -197,6 +197,7 @@ private:
   const Glass& m_glass;
   const recipe::Recipe& m_recipe;
   Leads m_leads;
+  std::stop_token m_stop;
   std::vector<WheelLoop> m_loops;
   std::vector<Traced> m_traced;
   std::vector<WheelLoop> m_leftOut; ///< that cannot be entered, where the recipe accepts that they stay unground
@@ -206,14 +207,14 @@ private:
 } // namespace
 
 Toolpath makeToolpath(const std::vector<pattern::Contour>& placed, const recipe::Recipe& recipe, Leads leads,
-                      const Point& park) {
+                      const Point& park, const std::stop_token& stop) {
   const Glass glass = glassOf(placed, recipe.direction);
   if (Problems spikes = checkSpikes(glass); !spikes.empty()) {
     Toolpath result;
     result.problems = std::move(spikes);
     return result;
   }
-  const Offset offset = offsetOf(glass, recipe.wheelRadius);
+  const Offset offset = offsetOf(glass, recipe.wheelRadius, stop);
   if (offset.open) { // what of it stays unground would be told wrongly
     Toolpath result;
     result.problems.push_back(
@@ -222,10 +223,16 @@ Toolpath makeToolpath(const std::vector<pattern::Contour>& placed, const recipe:
   }
   std::vector<WheelLoop> loops;
   for (const Loop& loop : offset.loops) {
-    loops.push_back(makeWheelLoop(glass, offset, loop, recipe));
+    loops.push_back(makeWheelLoop(glass, offset, loop, recipe, stop));
+    if (stop.stop_requested()) {
+      return {};
+    }
   }
-  Builder builder(glass, recipe, leads);
+  Builder builder(glass, recipe, leads, stop);
   builder.addLoops(std::move(loops));
+  if (stop.stop_requested()) {
+    return {};
+  }
   Unreached unreached = findUnreached(glass, builder.loops(), builder.leftOut(), recipe);
   Toolpath result = builder.inOrder(placed, park);
   result.unground = std::move(unreached.unground);

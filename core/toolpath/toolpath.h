@@ -4,6 +4,7 @@
 #include "core/pattern/pattern.h"
 
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace arris::toolpath {
@@ -100,8 +101,9 @@ enum class Leads { With, Without };
 
 /// The wheel path along placed contours: compensation, corners, transitions, start, leads, order. Errors among the
 /// problems mean that it cannot be machined; the chains then hold what could be made of it. Leads::Without is for
-/// tests: each chain then starts and ends at rest at the start point, without overlap.
+/// tests: each chain then starts and ends at rest at the start point, without overlap. A stop ends it early.
 [[nodiscard]] Toolpath makeToolpath(const std::vector<pattern::Contour>& placed, const recipe::Recipe& recipe,
-                                    Leads leads = Leads::With, const geometry::Point& park = {0, 0});
+                                    Leads leads = Leads::With, const geometry::Point& park = {0, 0},
+                                    const std::stop_token& stop = {});
 
 } // namespace arris::toolpath

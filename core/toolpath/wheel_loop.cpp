@@ -49,8 +49,11 @@ public:
   Maker(const Glass& glass, const Offset& offset, const recipe::Recipe& recipe)
       : m_glass(glass), m_offset(offset), m_recipe(recipe) {}
 
-  WheelLoop make(const Loop& loop) {
+  WheelLoop make(const Loop& loop, const std::stop_token& stop) {
     for (const Span& span : loop) {
+      if (stop.stop_requested()) {
+        return {};
+      }
       const Piece& piece = m_offset.pieces[span.piece];
       piece.isRoll ? addCorner(piece, span) : addEdge(piece, span);
     }
@@ -246,8 +249,9 @@ private:
 
 } // namespace
 
-WheelLoop makeWheelLoop(const Glass& glass, const Offset& offset, const Loop& loop, const recipe::Recipe& recipe) {
-  return Maker(glass, offset, recipe).make(loop);
+WheelLoop makeWheelLoop(const Glass& glass, const Offset& offset, const Loop& loop, const recipe::Recipe& recipe,
+                        const std::stop_token& stop) {
+  return Maker(glass, offset, recipe).make(loop, stop);
 }
 
 } // namespace arris::toolpath

@@ -4,6 +4,7 @@
 #include "core/toolpath/offset.h"
 #include "core/toolpath/toolpath.h"
 
+#include <stop_token>
 #include <vector>
 
 namespace arris::toolpath {
@@ -36,8 +37,8 @@ struct WheelLoop {
 };
 
 /// Bridges every corner of a loop: a transition where it is called for and no other glass is in its way, else the roll;
-/// a tangential arc or a stop at every kink. Source: method §1, items 2 and 6.
+/// a tangential arc or a stop at every kink. A stop token ends it early. Source: method §1, items 2 and 6.
 [[nodiscard]] WheelLoop makeWheelLoop(const Glass& glass, const Offset& offset, const Loop& loop,
-                                      const recipe::Recipe& recipe);
+                                      const recipe::Recipe& recipe, const std::stop_token& stop = {});
 
 } // namespace arris::toolpath

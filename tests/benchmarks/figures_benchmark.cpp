@@ -1,23 +1,13 @@
 #include "core/job/job.h"
+#include "tests/benchmarks/application.h"
 #include "tests/support/panes.h"
 #include "ui/figures/preview_figure.h"
 #include "ui/figures/profile_figure.h"
-
-#include <QApplication>
 
 #include <benchmark/benchmark.h>
 
 namespace arris {
 namespace {
-
-/// Figures need an application; no display.
-void needApplication() {
-  qputenv("QT_QPA_PLATFORM", "offscreen");
-  static int count = 1;
-  static std::string name = "arris_benchmarks";
-  static char* arguments = name.data();
-  static const QApplication kApplication(count, &arguments);
-}
 
 const job::Job& triangle() {
   static const job::Job kJob = job::planJob(test::triangle600(), {}, {});

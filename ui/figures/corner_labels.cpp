@@ -1,6 +1,7 @@
 #include "ui/figures/corner_labels.h"
 
 #include "core/base/numbers.h"
+#include "ui/figures/one_per_cell.h"
 #include "ui/figures/place_signs.h"
 #include "ui/figures/polyline.h"
 #include "ui/text/quantities.h"
@@ -170,8 +171,12 @@ std::vector<CornerLabel> placeCornerLabels(const Drawing& drawing, const QTransf
                                    [&](const CornerMark& mark) { return frame.contains(toDevice.map(toQt(mark.s))); });
   const bool crowded = shown > kCrowd;
   std::vector<CornerLabel> result;
+  OnePerCell places(kBadgeHeight / 2 * style.unit);
   for (const CornerMark& mark : drawing.corners) {
     const QPointF anchor = toDevice.map(toQt(mark.s));
+    if (crowded && (!frame.contains(anchor) || !places.take(anchor))) {
+      continue;
+    }
     const auto label = placed(mark, labelOf(mark, anchor, crowded, style), obstacles, toDevice, frame, crowded, style);
     if (label) {
       const double gap = kGap / 2 * style.unit;

@@ -1,6 +1,7 @@
 #include "ui/figures/drawing.h"
 
 #include "core/base/numbers.h"
+#include "core/base/window_thread.h"
 #include "core/job/placement.h"
 #include "ui/figures/polyline.h"
 
@@ -151,6 +152,7 @@ int piecesFor(const Curve& curve, double tolerance) {
 } // namespace
 
 Drawing drawingOf(const job::Job& job) {
+  base::takesLong("drawingOf");
   Drawing drawing;
   drawing.wheelRadius = job.recipe.wheelRadius;
   drawing.travel = geometry::Box(geometry::Point(0, 0), geometry::Point(job.machine.travel.head<2>()));
@@ -181,6 +183,7 @@ Drawing drawingOf(const job::Job& job, const pattern::Pattern& planned) {
 }
 
 Drawing drawingOf(const pattern::Pattern& pattern) {
+  base::takesLong("drawingOf");
   Drawing drawing;
   addContours(drawing, pattern.contours);
   for (const Curve& piece : pattern.loose) {

@@ -1,6 +1,7 @@
 #include "ui/figures/drawing_painter.h"
 
 #include "core/base/numbers.h"
+#include "ui/figures/one_per_cell.h"
 #include "ui/figures/place_signs.h"
 #include "ui/figures/polyline.h"
 
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace arris::ui {
 namespace {
@@ -47,9 +49,10 @@ int order(TraceKind kind) { // what lies on top of what
 
 class DrawingPainter {
 public:
-  DrawingPainter(QPainter& painter, const Drawing& drawing, const QTransform& toDevice, const QRectF& frame,
-                 const FigureStyle& style)
-      : m_painter(painter), m_drawing(drawing), m_toDevice(toDevice), m_frame(frame), m_style(style) {}
+  DrawingPainter(QPainter& painter, const Drawing& drawing, const FlatDrawing& lines, const QPointF& moved,
+                 const QTransform& toDevice, const QRectF& frame, const FigureStyle& style)
+      : m_painter(painter), m_drawing(drawing), m_lines(lines), m_moved(moved), m_toDevice(toDevice), m_frame(frame),
+        m_style(style) {}
 
   void paintGlass();
   void paintTravel();
@@ -58,27 +61,44 @@ public:
   void paintFindings();
 
 private:
-  void paintTrace(const Trace& trace);
+  void paintTrace(TraceKind kind, const QPolygonF& line);
   void paintArrows(const QPolygonF& path);
+  [[nodiscard]] QRectF lineFrame(double margin) const;
+  void shift(int sign);
   void paintWheel(const PathMark& start);
   [[nodiscard]] bool hidesStart(const QPointF& place) const;
 
   QPainter& m_painter;
   const Drawing& m_drawing;
+  const FlatDrawing& m_lines;
+  QPointF m_moved; // of the lines since they were flattened
   QTransform m_toDevice;
   QRectF m_frame;
   const FigureStyle& m_style;
 };
 
+// The frame where the lines lie, and a margin round it.
+QRectF DrawingPainter::lineFrame(double margin) const {
+  return m_frame.translated(-m_moved).adjusted(-margin, -margin, margin, margin);
+}
+
+// Not at all where nothing moved: it would show in what an SVG file says.
+void DrawingPainter::shift(int sign) {
+  if (!m_moved.isNull()) {
+    m_painter.translate(sign * m_moved);
+  }
+}
+
 void DrawingPainter::paintGlass() {
   QPainterPath glass;
   glass.setFillRule(Qt::OddEvenFill);
-  for (const pattern::Contour& contour : m_drawing.contours) {
-    const QPolygonF outline = flattened(contour.curves, m_toDevice, kFlatness * m_style.unit);
-    glass.addPolygon(clippedArea(outline, m_frame.adjusted(-1, -1, 1, 1)));
+  for (const QPolygonF& outline : m_lines.contours) {
+    glass.addPolygon(clippedArea(outline, lineFrame(1)));
     glass.closeSubpath();
   }
+  shift(1);
   m_painter.fillPath(glass, m_style.palette.glass);
+  shift(-1);
 }
 
 void DrawingPainter::paintTravel() {
@@ -93,23 +113,22 @@ void DrawingPainter::paintTravel() {
 }
 
 void DrawingPainter::paintTraces() {
-  std::vector<const Trace*> sorted;
-  for (const Trace& trace : m_drawing.traces) {
-    sorted.push_back(&trace);
-  }
+  const auto kindOf = [this](std::size_t trace) { return m_drawing.traces[trace].kind; };
+  std::vector<std::size_t> sorted(m_drawing.traces.size());
+  std::iota(sorted.begin(), sorted.end(), std::size_t{0});
   std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const Trace* a, const Trace* b) { return order(a->kind) < order(b->kind); });
-  for (const Trace* trace : sorted) {
-    paintTrace(*trace);
+                   [&](std::size_t a, std::size_t b) { return order(kindOf(a)) < order(kindOf(b)); });
+  shift(1);
+  for (const std::size_t trace : sorted) {
+    paintTrace(kindOf(trace), m_lines.traces[trace]);
   }
+  shift(-1);
 }
 
-void DrawingPainter::paintTrace(const Trace& trace) {
-  QPen pen = penOf(trace.kind, m_style);
-  const QPolygonF line = flattened(trace.curves, m_toDevice, kFlatness * m_style.unit);
-  const double margin = pen.widthF();
+void DrawingPainter::paintTrace(TraceKind kind, const QPolygonF& line) {
+  QPen pen = penOf(kind, m_style);
   m_painter.setBrush(Qt::NoBrush);
-  for (const Stretch& run : clipped(line, m_frame.adjusted(-margin, -margin, margin, margin))) {
+  for (const Stretch& run : clipped(line, lineFrame(pen.widthF()))) {
     if (pen.style() == Qt::CustomDashLine) {
       double period = 0;
       for (const double dash : pen.dashPattern()) {
@@ -120,7 +139,7 @@ void DrawingPainter::paintTrace(const Trace& trace) {
     m_painter.setPen(pen);
     m_painter.drawPolyline(run.points);
   }
-  if (trace.kind == TraceKind::Path) {
+  if (kind == TraceKind::Path) {
     paintArrows(line);
   }
 }
@@ -129,7 +148,7 @@ void DrawingPainter::paintArrows(const QPolygonF& path) {
   const double spacing = kArrowSpacing * m_style.unit;
   m_painter.setPen(Qt::NoPen);
   m_painter.setBrush(m_style.palette.path);
-  for (const Stretch& run : clipped(path, m_frame)) {
+  for (const Stretch& run : clipped(path, lineFrame(0))) {
     double travelled = run.startLength;
     double next = (std::ceil(travelled / spacing - 0.5) + 0.5) * spacing;
     for (qsizetype i = 1; i < run.points.size(); ++i) {
@@ -162,9 +181,10 @@ void DrawingPainter::paintWheel(const PathMark& start) {
 }
 
 void DrawingPainter::paintMarks() {
+  OnePerCell places(kSpeedMarkHalf / 4 * m_style.unit);
   for (const PathMark& mark : m_drawing.speedMarks) {
     const QPointF place = m_toDevice.map(toQt(mark.place));
-    if (m_frame.contains(place)) {
+    if (m_frame.contains(place) && places.take(place)) {
       paintSpeedMark(m_painter, place, mapDirection(m_toDevice, mark.direction), m_style);
     }
   }
@@ -181,9 +201,10 @@ void DrawingPainter::paintMarks() {
       paintUp(m_painter, place, m_style);
     }
   }
+  OnePerCell stops(kStopHalf / 2 * m_style.unit);
   for (const geometry::Point& stop : m_drawing.stops) {
     const QPointF place = m_toDevice.map(toQt(stop));
-    if (m_frame.contains(place)) {
+    if (m_frame.contains(place) && stops.take(place)) {
       paintStop(m_painter, place, m_style);
     }
   }
@@ -282,9 +303,26 @@ void paintSpeedMark(QPainter& painter, const QPointF& place, const QPointF& alon
   painter.drawLine(place - across, place + across);
 }
 
+FlatDrawing flattened(const Drawing& drawing, const QTransform& toDevice, const FigureStyle& style) {
+  FlatDrawing lines;
+  const double tolerance = kFlatness * style.unit;
+  for (const pattern::Contour& contour : drawing.contours) {
+    lines.contours.push_back(flattened(contour.curves, toDevice, tolerance));
+  }
+  for (const Trace& trace : drawing.traces) {
+    lines.traces.push_back(flattened(trace.curves, toDevice, tolerance));
+  }
+  return lines;
+}
+
 void paintDrawing(QPainter& painter, const Drawing& drawing, const QTransform& toDevice, const QRectF& frame,
                   const FigureStyle& style) {
-  DrawingPainter parts(painter, drawing, toDevice, frame, style);
+  paintDrawing(painter, drawing, flattened(drawing, toDevice, style), {}, toDevice, frame, style);
+}
+
+void paintDrawing(QPainter& painter, const Drawing& drawing, const FlatDrawing& lines, const QPointF& moved,
+                  const QTransform& toDevice, const QRectF& frame, const FigureStyle& style) {
+  DrawingPainter parts(painter, drawing, lines, moved, toDevice, frame, style);
   parts.paintGlass();
   parts.paintTravel();
   parts.paintTraces();

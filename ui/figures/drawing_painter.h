@@ -3,7 +3,10 @@
 #include "ui/figures/drawing.h"
 #include "ui/figures/style.h"
 
+#include <QPolygonF>
 #include <QRectF>
+
+#include <vector>
 
 class QPainter;
 
@@ -13,6 +16,20 @@ namespace arris::ui {
 /// change with the scale; what lies outside `frame` is left out (not only hidden: SVG has no clipping).
 void paintDrawing(QPainter& painter, const Drawing& drawing, const QTransform& toDevice, const QRectF& frame,
                   const FigureStyle& style);
+
+/// The lines of a drawing in the units of a device, flattened: what takes longest of painting, and stays as it is while
+/// the drawing is only moved.
+struct FlatDrawing {
+  std::vector<QPolygonF> contours; ///< by contour
+  std::vector<QPolygonF> traces;   ///< by trace
+};
+
+[[nodiscard]] FlatDrawing flattened(const Drawing& drawing, const QTransform& toDevice, const FigureStyle& style);
+
+/// The same with lines that were flattened for where `moved` leads back from `toDevice`: so far has the drawing moved
+/// since.
+void paintDrawing(QPainter& painter, const Drawing& drawing, const FlatDrawing& lines, const QPointF& moved,
+                  const QTransform& toDevice, const QRectF& frame, const FigureStyle& style);
 
 /// The pen of each kind of line; the legend uses it too.
 [[nodiscard]] QPen penOf(TraceKind kind, const FigureStyle& style);

@@ -1,5 +1,6 @@
 #include "ui/figures/figure.h"
 
+#include "core/base/window_thread.h"
 #include "core/files/whole_file.h"
 
 #include <QBuffer>
@@ -8,6 +9,7 @@
 #include <QPageLayout>
 #include <QPageSize>
 #include <QPdfWriter>
+#include <QPicture>
 #include <QRegularExpression>
 #include <QSvgGenerator>
 #include <qcustomplot.h>
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <memory>
 #include <string>
 
 namespace arris::ui {
@@ -24,10 +27,14 @@ constexpr double kUnitsPerInch = 25.4 * kUnitsPerMillimetre;
 constexpr int kPngDotsPerInch = 200;
 constexpr int kPdfDotsPerInch = 1200;
 
-void paintScaled(const Figure& figure, QCPPainter& painter, double dotsPerUnit, bool vector) {
+void prepare(QCPPainter& painter, bool vector) {
   painter.setMode(QCPPainter::pmVectorized, vector);
   painter.setMode(QCPPainter::pmNoCaching);
   painter.setRenderHint(QPainter::Antialiasing);
+}
+
+void paintScaled(const Figure& figure, QCPPainter& painter, double dotsPerUnit, bool vector) {
+  prepare(painter, vector);
   painter.scale(dotsPerUnit, dotsPerUnit);
   figure.paint(painter);
 }
@@ -86,6 +93,7 @@ QByteArray asPng(const Figure& figure) {
 } // namespace
 
 QByteArray encodedPdf(const std::vector<Figure>& pages) {
+  base::takesLong("encodedPdf");
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   QPdfWriter pdf(&buffer);
@@ -124,6 +132,7 @@ std::optional<FigureFormat> figureFormat(const std::filesystem::path& file) {
 }
 
 QByteArray encoded(const Figure& figure, FigureFormat format) {
+  base::takesLong("encoded");
   switch (format) {
   case FigureFormat::Svg:
     return asSvg(figure);
@@ -135,14 +144,28 @@ QByteArray encoded(const Figure& figure, FigureFormat format) {
   return {};
 }
 
-base::Expected<QByteArray> encodedFor(const Figure& figure, const std::filesystem::path& file) {
-  const std::optional<FigureFormat> format = figureFormat(file);
-  if (!format) {
-    return base::Unexpected(base::Problem(base::Code::ValueNotAChoice, {{"name", "The ending of " + file.string()},
-                                                                        {"value", file.extension().string()},
-                                                                        {"choices", ".svg, .pdf, .png"}}));
+Figure recorded(const Figure& figure, FigureFormat format) {
+  auto picture = std::make_shared<QPicture>();
+  QCPPainter painter(picture.get());
+  prepare(painter, format != FigureFormat::Png);
+  figure.paint(painter);
+  painter.end();
+  Figure result = figure;
+  result.paint = [picture](QCPPainter& onto) { picture->play(&onto); };
+  return result;
+}
+
+base::Expected<FigureFormat> formatFor(const std::filesystem::path& file) {
+  if (const std::optional<FigureFormat> format = figureFormat(file)) {
+    return *format;
   }
-  return encoded(figure, *format);
+  return base::Unexpected(base::Problem(base::Code::ValueNotAChoice, {{"name", "The ending of " + file.string()},
+                                                                      {"value", file.extension().string()},
+                                                                      {"choices", ".svg, .pdf, .png"}}));
+}
+
+base::Expected<QByteArray> encodedFor(const Figure& figure, const std::filesystem::path& file) {
+  return formatFor(file).map([&](FigureFormat format) { return encoded(figure, format); });
 }
 
 base::Expected<void> renderToFile(const Figure& figure, const std::filesystem::path& file) {

@@ -33,6 +33,13 @@ enum class FigureFormat { Svg, Pdf, Png };
 /// The format that the ending of a file name asks for (.svg, .pdf, .png in any case); nothing for any other.
 [[nodiscard]] std::optional<FigureFormat> figureFormat(const std::filesystem::path& file);
 
+/// The same; ValueNotAChoice for any other ending.
+[[nodiscard]] base::Expected<FigureFormat> formatFor(const std::filesystem::path& file);
+
+/// The figure painted beforehand, to be encoded in this format. Plots are widgets, which only the thread of the window
+/// may paint; what comes of them can be encoded in any thread.
+[[nodiscard]] Figure recorded(const Figure& figure, FigureFormat format);
+
 /// The bytes of the file: SVG, PDF of one A4 page, or PNG at 200 dots per inch. The same figure gives the same bytes:
 /// no dates inside.
 [[nodiscard]] QByteArray encoded(const Figure& figure, FigureFormat format);

@@ -1,5 +1,6 @@
 #include "ui/figures/job_sheet.h"
 
+#include "core/base/window_thread.h"
 #include "core/recipe/fields.h"
 #include "ui/figures/corner_labels.h"
 #include "ui/figures/drawing_legend.h"
@@ -360,6 +361,7 @@ std::vector<Figure> SheetMaker::pages() const {
 
 std::vector<Figure> jobSheet(const job::Job& job, const Drawing& drawing, const QString& file, const QString& date,
                              const QLocale& locale) {
+  base::takesLong("jobSheet");
   return SheetMaker(job, drawing, file, date, locale).pages();
 }
 

@@ -1,5 +1,6 @@
 #include "ui/figures/profile.h"
 
+#include "core/base/window_thread.h"
 #include "ui/figures/polyline.h"
 
 #include <algorithm>
@@ -171,6 +172,7 @@ void append(ProfileColumns& columns, const files::ProfileRow& row) {
 }
 
 ProfileColumns columnsOf(const job::Job& job, const std::function<bool()>& wanted) {
+  base::takesLong("columnsOf");
   ProfileColumns columns;
   if (job.pieces.empty()) {
     return columns;
@@ -211,7 +213,8 @@ ProfileLimits limitsOf(const job::Job& job) {
   return limits;
 }
 
-ProfileCurves curvesOf(const ProfileColumns& columns, const QString& name) {
+ProfileCurves curvesOf(const ProfileColumns& columns, const QString& name, const std::function<bool()>& wanted) {
+  base::takesLong("curvesOf");
   ProfileCurves curves;
   curves.name = name;
   if (columns.time.empty()) {
@@ -222,7 +225,7 @@ ProfileCurves curvesOf(const ProfileColumns& columns, const QString& name) {
   curves.workFrom = columns.time[first];
   curves.workTo = columns.time[end - 1];
   curves.bands = bandsOf(columns, first, end);
-  for (int i = 0; i < kPanelCount; ++i) {
+  for (int i = 0; i < kPanelCount && wanted(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     curves.panels[at] = thinnedColumn(columns, static_cast<Panel>(i));
     curves.range[at] = rangeOf(columns, static_cast<Panel>(i));

@@ -86,7 +86,9 @@ struct ProfileCurves {
   std::array<std::pair<double, double>, kPanelCount> range{}; ///< least and greatest value within the work
 };
 
-[[nodiscard]] ProfileCurves curvesOf(const ProfileColumns& columns, const QString& name);
+/// Some of the curves stay empty where they are no longer `wanted` meanwhile.
+[[nodiscard]] ProfileCurves curvesOf(
+    const ProfileColumns& columns, const QString& name, const std::function<bool()>& wanted = [] { return true; });
 
 /// Which panel of the curves.
 [[nodiscard]] inline const QPolygonF& curveOf(const ProfileCurves& curves, Panel panel) {

@@ -1,5 +1,6 @@
 #include "ui/figures/profile_file.h"
 
+#include "core/base/window_thread.h"
 #include "core/files/descriptor.h"
 #include "core/files/profile_csv.h"
 #include "core/files/run_record.h"
@@ -50,6 +51,7 @@ base::Expected<ProfileCurves> readTable(const fs::path& file) {
 } // namespace
 
 ProfileReading readProfileFile(const fs::path& file, const std::function<bool()>& wanted) {
+  base::takesLong("readProfileFile");
   return files::isRecord(file) ? readRun(file, wanted) : ProfileReading{readTable(file), {}};
 }
 

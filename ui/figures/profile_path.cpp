@@ -99,9 +99,8 @@ std::vector<PathPiece> pathOf(const ProfileCurves& curves) {
   return path;
 }
 
-PathSetting pathSettingOf(const job::Job& job) {
+PathSetting pathSettingOf(const job::Job& job, const Drawing& whole) {
   PathSetting setting;
-  const Drawing whole = drawingOf(job);
   setting.glass.contours = whole.contours;
   setting.glass.corners = whole.corners;
   setting.glass.travel = whole.travel;

@@ -44,7 +44,8 @@ struct PathSetting {
   std::vector<CornerPlaces> corners;
 };
 
-[[nodiscard]] PathSetting pathSettingOf(const job::Job& job);
+/// `whole` is the drawing of the job.
+[[nodiscard]] PathSetting pathSettingOf(const job::Job& job, const Drawing& whole);
 
 /// Where nothing is planned: P_d, A, C and P_a by what the profile says about a pass.
 [[nodiscard]] CornerPlaces placesOf(const ProfileCurves& curves, const CornerPass& pass);

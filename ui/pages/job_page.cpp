@@ -4,10 +4,12 @@
 #include "ui/pages/findings_panel.h"
 #include "ui/pages/recipe_panel.h"
 #include "ui/presenters/wheel_walk.h"
+#include "ui/text/job_texts.h"
 #include "ui/text/problem_texts.h"
 #include "ui/text/quantities.h"
 #include "ui/views/drawing_view.h"
 #include "ui/widgets/busy_bar.h"
+#include "ui/widgets/busy_row.h"
 #include "ui/widgets/signs.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/wheel_bar.h"
@@ -16,7 +18,9 @@
 #include <QButtonGroup>
 #include <QLabel>
 #include <QResizeEvent>
+#include <QShortcut>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QToolButton>
 
 #include <algorithm>
@@ -50,8 +54,8 @@ JobPage::JobPage(Planner& planner, RecipeDesk& desk, WheelWalk& wheel, QWidget* 
     : QWidget(parent), m_planner(planner), m_wheel(wheel), m_recipe(new RecipePanel(planner, desk)),
       m_drawing(new DrawingView), m_profile(new ProfilePlot(screenStyle(kPlotUnit))), m_findings(new FindingsPanel),
       m_stateSign(new QLabel), m_state(new QLabel), m_complaint(new QLabel(this)), m_busy(new BusyBar(tr("Planning"))),
-      m_viewButtons(new QButtonGroup(this)), m_views(new QSplitter(Qt::Vertical)),
-      m_split(new QSplitter(Qt::Vertical)) {
+      m_busyRow(new BusyRow), m_statePlace(new QStackedWidget), m_viewButtons(new QButtonGroup(this)),
+      m_views(new QSplitter(Qt::Vertical)), m_split(new QSplitter(Qt::Vertical)) {
   m_recipe->setFixedWidth(kRecipeWidth);
   auto* middle = new QWidget;
   auto* middleLayout = new QVBoxLayout(middle);
@@ -107,12 +111,8 @@ QWidget* JobPage::makeHeader() {
     m_viewButtons->addButton(button, i);
     layout->addWidget(button);
   }
-  m_stateSign->setFixedSize(kStateSignSize, kStateSignSize);
-  m_state->setObjectName(QStringLiteral("state"));
-  m_state->setWordWrap(true);
   layout->addSpacing(2);
-  layout->addWidget(m_stateSign);
-  layout->addWidget(m_state, 1);
+  layout->addWidget(makeStatePlace(), 1);
   using Act = std::function<void()>;
   const auto addZoom = [&](const QString& text, const QString& name, const QString& what, const Act& drawing,
                            const Act& plot) {
@@ -142,6 +142,28 @@ QWidget* JobPage::makeHeader() {
   return header;
 }
 
+// What the plan is and what is under way take turns in one place, so that nothing moves.
+QWidget* JobPage::makeStatePlace() {
+  m_stateSign->setFixedSize(kStateSignSize, kStateSignSize);
+  m_state->setObjectName(QStringLiteral("state"));
+  m_state->setWordWrap(true);
+  auto* state = new QWidget;
+  auto* layout = new QHBoxLayout(state);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(6);
+  layout->addWidget(m_stateSign);
+  layout->addWidget(m_state, 1);
+  m_statePlace->addWidget(state);
+  m_statePlace->addWidget(m_busyRow);
+  connect(m_busyRow, &BusyRow::shownChanged, m_statePlace,
+          [this](bool shown) { m_statePlace->setCurrentIndex(shown ? 1 : 0); });
+  connect(m_busyRow, &BusyRow::cancelled, &m_planner, &Planner::cancel);
+  auto* escape = new QShortcut(Qt::Key_Escape, this);
+  escape->setContext(Qt::WidgetWithChildrenShortcut);
+  connect(escape, &QShortcut::activated, &m_planner, &Planner::cancel);
+  return m_statePlace;
+}
+
 QWidget* JobPage::makeViews() {
   m_views->addWidget(m_drawing);
   m_views->addWidget(m_profile);
@@ -156,6 +178,7 @@ void JobPage::connectPlanner() {
   connect(&m_planner, &Planner::busyChanged, this, &JobPage::showBusy);
   connect(&m_planner, &Planner::profileReady, this, &JobPage::showProfile);
   connect(&m_planner, &Planner::openFailed, this, &JobPage::showState);
+  connect(&m_planner, &Planner::progressed, this, [this](base::Stage stage) { m_busyRow->setText(stageText(stage)); });
 }
 
 void JobPage::connectViews() {
@@ -234,6 +257,9 @@ void JobPage::showState() {
   if (const auto& problem = m_planner.openProblem()) {
     m_state->setText(problemText(*problem, QLocale()));
     sign = base::Severity::Error;
+  } else if (m_planner.isCancelled()) {
+    m_state->setText(cancelledText());
+    sign = base::Severity::Warning;
   } else if (!m_plan) {
     m_state->setText(m_planner.isBusy() ? tr("Reading and planning…") : tr("No pattern is open."));
   } else if (m_plan->job.canBeGround()) {
@@ -247,8 +273,20 @@ void JobPage::showState() {
   m_stateSign->setPixmap(sign ? signIcon(*sign).pixmap(kStateSignSize) : QPixmap());
 }
 
+QString JobPage::cancelledText() const {
+  if (!m_plan) {
+    return tr("Cancelled. Open a pattern.");
+  }
+  return m_planner.isPresent()
+             ? tr("Cancelled: the profile is not shown. Change a value, or open the pattern again, to plan.")
+             : tr("Cancelled: the drawing is of the values before. Change a value, or open the pattern again, to "
+                  "plan.");
+}
+
 void JobPage::showBusy(bool busy) {
   m_busy->setVisible(busy);
+  m_busyRow->setText(stageText(m_planner.stage()));
+  m_busyRow->setBusy(busy);
   showState();
 }
 

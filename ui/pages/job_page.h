@@ -8,10 +8,12 @@
 class QButtonGroup;
 class QLabel;
 class QSplitter;
+class QStackedWidget;
 
 namespace arris::ui {
 
 class BusyBar;
+class BusyRow;
 class DrawingView;
 class FindingsPanel;
 class ProfilePlot;
@@ -40,6 +42,7 @@ protected:
 
 private:
   QWidget* makeHeader();
+  QWidget* makeStatePlace();
   QWidget* makeViews();
   void connectPlanner();
   void connectViews();
@@ -49,6 +52,7 @@ private:
   void showWheel();
   void showState();
   void showBusy(bool busy);
+  [[nodiscard]] QString cancelledText() const;
   void selectCorner(int corner);
   void showProblem(const base::Problem& problem);
   void arrange();
@@ -66,6 +70,8 @@ private:
   QLabel* m_state;
   QLabel* m_complaint; // over the drawing, beside the field that it is about
   BusyBar* m_busy;
+  BusyRow* m_busyRow;
+  QStackedWidget* m_statePlace; // what the plan is, or what is under way
   QButtonGroup* m_viewButtons;
   QSplitter* m_views;
   QSplitter* m_split;

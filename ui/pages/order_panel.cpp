@@ -176,7 +176,7 @@ void OrderPanel::showState() {
   m_larger->setEnabled(correction < m_correction->spec().most);
   const bool goesOn = isRevision() && order.isUnderWay(plan->import->hash);
   m_load->setText(goesOn ? tr("Load for the next pane") : tr("Load job"));
-  m_load->setEnabled(allowed.load && plan && plan->job.canBeGround() && !m_planner.isBusy());
+  m_load->setEnabled(allowed.load && plan && plan->job.canBeGround() && m_planner.isPresent() && !m_planner.isBusy());
 }
 
 QString OrderPanel::hint() const {
@@ -195,6 +195,9 @@ QString OrderPanel::hint() const {
   }
   if (plan && !plan->job.canBeGround()) {
     return tr("What is planned on the page Job cannot be ground: nothing can be loaded before that is mended.");
+  }
+  if (plan && !m_planner.isPresent() && !m_planner.isBusy()) {
+    return tr("The page Job shows other values than it has: nothing can be loaded before they are planned.");
   }
   if (isRevision() && job == JobState::Running) {
     return tr("Values have changed; this pane stays as it was loaded. After it load the job for the next pane.");

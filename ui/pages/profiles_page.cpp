@@ -279,7 +279,7 @@ void ProfilesPage::feedPlot(Content content, bool keepView) {
     timePlot().setProfiles(m_shown, limits(), keepView);
     return;
   }
-  m_path->setProfiles(m_shown, m_planned ? pathSettingOf(m_plan->job) : PathSetting(), limits().wheelRadius, keepView);
+  m_path->setProfiles(m_shown, m_planned ? m_plan->pathSetting : PathSetting(), limits().wheelRadius, keepView);
 }
 
 // The time that was shown stays, and the corner.

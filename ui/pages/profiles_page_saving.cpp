@@ -28,7 +28,7 @@ Figure ProfilesPage::picture() const {
     heading = tr("%1, corner %2").arg(heading).arg(pass->corner);
   }
   if (content() == Path) {
-    const PathSetting setting = m_planned ? pathSettingOf(m_plan->job) : PathSetting();
+    const PathSetting setting = m_planned ? m_plan->pathSetting : PathSetting();
     return pathFigure(m_shown, setting, heading, values, {m_path->shownBox(), pass, m_instant, limits().wheelRadius});
   }
   const PlotContent panels = content() == Positions ? PlotContent::Positions : PlotContent::Speeds;
@@ -37,10 +37,10 @@ Figure ProfilesPage::picture() const {
 
 void ProfilesPage::savePicture(const std::filesystem::path& file) {
   beginSaving();
-  if (const auto bytes = encodedFor(picture(), file)) {
-    m_files.save(file, *bytes);
+  if (const auto format = formatFor(file)) {
+    m_files.save(file, [figure = recorded(picture(), *format), format = *format] { return encoded(figure, format); });
   } else {
-    tellProblem(bytes.error());
+    tellProblem(format.error());
   }
 }
 

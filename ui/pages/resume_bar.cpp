@@ -55,10 +55,12 @@ ResumeBar::ResumeBar(MachineLink& machine, QWidget* parent) : QWidget(parent), m
   layout->addWidget(m_text);
   layout->addLayout(new QHBoxLayout);
   m_takeUp = add(tr("Take it up"), QStringLiteral("resumeTakeUp"));
+  m_cancel = add(tr("Cancel"), QStringLiteral("resumeCancel"));
   m_discard = add(tr("Discard"), QStringLiteral("resumeDiscard"));
   m_keep = add(tr("Keep it"), QStringLiteral("resumeKeep"));
   m_dismiss = add(tr("Understood"), QStringLiteral("resumeDismiss"));
   connect(m_takeUp, &QPushButton::clicked, this, [this] { m_machine.resumeOffer().takeUp(); });
+  connect(m_cancel, &QPushButton::clicked, this, [this] { m_machine.resumeOffer().cancel(); });
   connect(m_discard, &QPushButton::clicked, this, &ResumeBar::discard);
   connect(m_keep, &QPushButton::clicked, this, [this] {
     m_asks = false;
@@ -91,6 +93,7 @@ void ResumeBar::showOffer(const ResumeOffer& offer) {
   m_text->setText(text(offer));
   m_takeUp->setVisible(!m_asks && (isOffered || offer.state() == Offer::Planning));
   m_takeUp->setEnabled(isOffered && m_machine.allowed().load);
+  m_cancel->setVisible(offer.state() == Offer::Planning);
   m_discard->setVisible(isOffered);
   m_discard->setText(m_asks ? tr("Discard it for good") : tr("Discard"));
   m_keep->setVisible(m_asks);

@@ -26,6 +26,7 @@ private:
   MachineLink& m_machine;
   QLabel* m_text;
   QPushButton* m_takeUp = nullptr;
+  QPushButton* m_cancel = nullptr;
   QPushButton* m_discard = nullptr;
   QPushButton* m_keep = nullptr;
   QPushButton* m_dismiss = nullptr;

@@ -8,32 +8,45 @@
 namespace arris::ui {
 namespace {
 
-base::Expected<Import> readPattern(const std::filesystem::path& file, const pattern::ImportOptions& options) {
+base::Expected<Import> readPattern(const std::filesystem::path& file, const pattern::ImportOptions& options,
+                                   const base::Monitor& monitor) {
   return files::readFile(file).map([&](const std::string& text) {
-    return Import{file, options, pattern::readDxf(text, options), files::fileHash(text)};
+    return Import{file, options, pattern::readDxf(text, options, monitor), files::fileHash(text)};
   });
 }
 
-job::Job plan(const pattern::Pattern& pattern, const recipe::Recipe& recipe, const recipe::Machine& machine) {
-  return job::planJob(pattern, recipe, machine);
+job::Job planPattern(const pattern::Pattern& pattern, const recipe::Recipe& recipe, const recipe::Machine& machine,
+                     const base::Monitor& monitor) {
+  return job::planJob(pattern, recipe, machine, toolpath::Leads::With, monitor);
 }
 
-bool isOf(const Import& import, const std::filesystem::path& file, const pattern::ImportOptions& options) {
-  return import.file == file && import.options == options;
+void renew(std::stop_source& stop) {
+  stop.request_stop();
+  stop = std::stop_source();
 }
 
 } // namespace
 
+PlanPointer planOf(ImportPointer import, job::Job job) {
+  auto plan = std::make_shared<Plan>();
+  plan->import = std::move(import);
+  plan->job = std::move(job);
+  plan->drawing = drawingOf(plan->job, plan->import->pattern);
+  plan->pathSetting = pathSettingOf(plan->job, plan->drawing);
+  return plan;
+}
+
 PlannerSteps plannerSteps() {
-  return {readPattern, plan};
+  return {readPattern, planPattern};
 }
 
 // All that the worker needs, as values.
 struct Planner::Request {
-  quint64 number = 0;
   std::filesystem::path file;
   recipe::Recipe recipe;
-  std::shared_ptr<const Import> import; // null: to be read
+  ImportPointer import; // null: to be read
+  std::stop_token stopReading;
+  std::stop_token stopPlanning;
 };
 
 Planner::Planner(recipe::Machine machine, PlannerSteps steps, QObject* parent)
@@ -42,105 +55,144 @@ Planner::Planner(recipe::Machine machine, PlannerSteps steps, QObject* parent)
 }
 
 Planner::~Planner() {
-  ++m_latest; // what is under way need not go on to its profile
+  stopAll();
   m_pool.waitForDone();
 }
 
+void Planner::stopAll() {
+  renew(m_stopReading);
+  renew(m_stopPlanning);
+}
+
+// Opening the same file again reads it again.
 void Planner::openPattern(const std::filesystem::path& file) {
-  m_file = file;
-  m_reread = true; // opening the same file again reads it again
+  m_opening = file;
+  renew(m_stopReading);
   request();
 }
 
 void Planner::setRecipe(const recipe::Recipe& recipe) {
-  if (recipe != m_recipe) {
-    m_recipe = recipe;
-    Q_EMIT recipeChanged(m_recipe);
-    request();
+  if (recipe == m_recipe) {
+    return;
+  }
+  if (pattern::importOptions(recipe) != pattern::importOptions(m_recipe)) {
+    renew(m_stopReading);
+  }
+  m_recipe = recipe;
+  Q_EMIT recipeChanged(m_recipe);
+  request();
+}
+
+void Planner::cancel() {
+  if (m_busy) {
+    stopAll();
+    m_opening.reset();
+    m_again = false;
+    m_cancelled = true;
+    setBusy(false);
   }
 }
 
 void Planner::request() {
-  if (m_file.empty()) {
+  if (!m_opening && !m_import) {
     return;
   }
-  ++m_latest;
-  m_again = m_running;
-  if (!m_running) {
-    m_running = true;
-    Q_EMIT busyChanged(true);
+  renew(m_stopPlanning);
+  m_openProblem.reset();
+  m_cancelled = false;
+  m_again = m_working;
+  if (!m_working) {
     start();
   }
+  setBusy(true);
 }
 
 void Planner::start() {
-  m_pool.start([this, request = Request{m_latest, m_file, m_recipe, m_reread ? nullptr : m_import}] { work(request); });
+  m_working = true;
+  m_pool.start(
+      [this, request = Request{m_opening ? *m_opening : m_import->file, m_recipe, m_opening ? nullptr : m_import,
+                               m_stopReading.get_token(), m_stopPlanning.get_token()}] { work(request); });
 }
 
-bool Planner::isLatest(quint64 number) const {
-  return m_latest == number;
-}
-
-template <typename Call> void Planner::deliver(quint64 number, Call call) {
+// Once a stop is requested nothing arrives any more.
+template <typename Call> void Planner::deliver(const std::stop_token& stop, Call call) {
   QMetaObject::invokeMethod(
       this,
-      [this, number, call] {
-        if (isLatest(number)) {
+      [stop, call] {
+        if (!stop.stop_requested()) {
           call();
         }
       },
       Qt::QueuedConnection);
 }
 
-// In the worker's thread: of the object it reads only the request number and what never changes.
+base::Monitor Planner::monitor(const std::stop_token& stop) {
+  return {stop, [this, stop](base::Stage stage) { deliver(stop, [this, stage] { begins(stage); }); }};
+}
+
+void Planner::begins(base::Stage stage) {
+  m_stage = stage;
+  Q_EMIT progressed(stage);
+}
+
+// In the worker's thread, as the next two: of the object they read only what never changes.
 void Planner::work(const Request& request) {
-  std::shared_ptr<const Import> import = request.import;
+  ImportPointer import = request.import;
   const pattern::ImportOptions options = pattern::importOptions(request.recipe);
-  if (!import || !isOf(*import, request.file, options)) {
+  if (!import || import->options != options) {
     import = read(request, options);
   }
-  if (import && isLatest(request.number)) {
-    auto plan = std::make_shared<Plan>();
-    plan->import = import;
-    plan->job = m_steps.plan(import->pattern, request.recipe, m_machine);
-    plan->drawing = drawingOf(plan->job, import->pattern);
-    deliver(request.number, [this, plan] {
-      m_plan = plan;
-      m_curves.reset();
-      m_openProblem.reset();
-      Q_EMIT planned(plan);
-    });
-    if (plan->job.canBeGround() && isLatest(request.number)) {
-      const ProfileColumns columns = columnsOf(plan->job, [&] { return isLatest(request.number); });
-      auto curves = std::make_shared<const ProfileCurves>(curvesOf(columns, QString()));
-      deliver(request.number, [this, curves] {
-        m_curves = curves;
-        Q_EMIT profileReady(curves);
-      });
-    }
+  if (import && !request.stopPlanning.stop_requested()) {
+    plan(request, import);
   }
   QMetaObject::invokeMethod(this, &Planner::finished, Qt::QueuedConnection);
 }
 
-std::shared_ptr<const Import> Planner::read(const Request& request, const pattern::ImportOptions& options) {
-  base::Expected<Import> opened = m_steps.read(request.file, options);
+// What comes to read a pattern is not lost where only other values were asked for meanwhile.
+ImportPointer Planner::read(const Request& request, const pattern::ImportOptions& options) {
+  base::Expected<Import> opened = m_steps.read(request.file, options, monitor(request.stopReading));
   if (!opened) {
-    deliver(request.number, [this, problem = opened.error()] { giveUpOpening(problem); });
+    deliver(request.stopReading, [this, problem = opened.error()] { giveUpOpening(problem); });
     return nullptr;
   }
-  auto import = std::make_shared<const Import>(std::move(*opened));
-  deliver(request.number, [this, import] {
+  auto import = std::make_shared<const Import>(*std::move(opened));
+  deliver(request.stopReading, [this, import] {
     m_import = import;
-    m_reread = false;
+    m_opening.reset();
   });
-  return import;
+  return request.stopReading.stop_requested() ? nullptr : import;
 }
 
-// Back to the pattern before, with whatever changed in the recipe meanwhile.
+void Planner::plan(const Request& request, const ImportPointer& import) {
+  const std::stop_token& stop = request.stopPlanning;
+  const base::Monitor monitored = monitor(stop);
+  job::Job job = m_steps.plan(import->pattern, request.recipe, m_machine, monitored);
+  if (stop.stop_requested()) {
+    return;
+  }
+  const PlanPointer plan = planOf(import, std::move(job));
+  deliver(stop, [this, plan] {
+    m_plan = plan;
+    m_curves.reset();
+    Q_EMIT planned(plan);
+  });
+  if (!plan->job.canBeGround()) {
+    return;
+  }
+  monitored.begin(base::Stage::Profile);
+  const auto wanted = [&] { return !stop.stop_requested(); };
+  auto curves = std::make_shared<const ProfileCurves>(curvesOf(columnsOf(plan->job, wanted), QString(), wanted));
+  deliver(stop, [this, curves] {
+    m_curves = curves;
+    Q_EMIT profileReady(curves);
+  });
+}
+
+// Back to the pattern before. What was under way for it when the other one was to be opened is taken up again.
 void Planner::giveUpOpening(const base::Problem& problem) {
-  m_reread = false;
-  m_file = m_import ? m_import->file : std::filesystem::path();
-  if (m_plan && m_recipe != m_plan->job.recipe) {
+  const bool wasAnother = std::exchange(m_opening, std::nullopt).has_value();
+  const bool isComplete = isPresent() && (m_curves || !m_plan->job.canBeGround());
+  if (wasAnother && !isComplete) {
     request();
   }
   m_openProblem = problem;
@@ -148,12 +200,20 @@ void Planner::giveUpOpening(const base::Problem& problem) {
 }
 
 void Planner::finished() {
-  if (std::exchange(m_again, false)) {
+  const bool hasPattern = m_opening || m_import; // what was to be opened may have come to nothing
+  if (std::exchange(m_again, false) && hasPattern) {
     start();
     return;
   }
-  m_running = false;
-  Q_EMIT busyChanged(false);
+  m_working = false;
+  setBusy(false);
+}
+
+void Planner::setBusy(bool busy) {
+  if (m_busy != busy) {
+    m_busy = busy;
+    Q_EMIT busyChanged(busy);
+  }
 }
 
 } // namespace arris::ui

@@ -20,6 +20,7 @@ ResumeOffer::ResumeOffer(files::StateFolder folder, recipe::Machine machine, Pla
 }
 
 ResumeOffer::~ResumeOffer() {
+  m_stop.request_stop();
   m_pool.waitForDone();
 }
 
@@ -30,35 +31,50 @@ void ResumeOffer::takeUp() {
   m_problems = control::checkMachine(m_job->point, m_machine);
   if (m_problems.empty()) {
     m_state = State::Planning;
-    m_pool.start([this, point = m_job->point, steps = m_steps, journal = m_folder.paneJournal()] {
-      const Outcome outcome = plan(point, steps, journal);
-      QMetaObject::invokeMethod(
-          this, [this, outcome] { take(outcome); }, Qt::QueuedConnection);
-    });
+    m_stop = std::stop_source();
+    m_pool.start(
+        [this, point = m_job->point, steps = m_steps, journal = m_folder.paneJournal(), stop = m_stop.get_token()] {
+          const Outcome outcome = plan(point, steps, journal, stop);
+          QMetaObject::invokeMethod(
+              this,
+              [this, outcome, stop] {
+                if (!stop.stop_requested()) {
+                  take(outcome);
+                }
+              },
+              Qt::QueuedConnection);
+        });
   }
   Q_EMIT changed();
 }
 
+void ResumeOffer::cancel() {
+  if (m_state == State::Planning) {
+    m_stop.request_stop();
+    m_state = State::Offered;
+    Q_EMIT changed();
+  }
+}
+
 // In the worker's thread.
 ResumeOffer::Outcome ResumeOffer::plan(const files::ResumePoint& point, const PlannerSteps& steps,
-                                       const std::filesystem::path& journal) {
-  auto read = steps.read(point.patternFile, pattern::importOptions(point.recipe));
+                                       const std::filesystem::path& journal, const std::stop_token& stop) {
+  auto read = steps.read(point.patternFile, pattern::importOptions(point.recipe), {stop});
   if (!read) { // its medium may only not be there
     return {std::nullopt, {read.error()}, true};
   }
   if (const auto problem = control::checkPattern(point, read->hash)) {
     return {std::nullopt, {*problem}, false};
   }
-  auto plan = std::make_shared<Plan>();
-  plan->import = std::make_shared<const Import>(*std::move(read));
-  plan->job = steps.plan(plan->import->pattern, point.recipe, point.machine);
-  if (!plan->job.canBeGround()) {
-    return {std::nullopt, plan->job.problems, false};
+  const auto import = std::make_shared<const Import>(*std::move(read));
+  job::Job job = steps.plan(import->pattern, point.recipe, point.machine, {stop});
+  if (!job.canBeGround()) {
+    return {std::nullopt, job.problems, false};
   }
-  if (const auto problem = control::checkPlace(point, plan->job)) {
+  if (const auto problem = control::checkPlace(point, job)) {
     return {std::nullopt, {*problem}, false};
   }
-  plan->drawing = drawingOf(plan->job, plan->import->pattern);
+  const PlanPointer plan = planOf(import, std::move(job));
   const auto panes = files::readPanes(journal);
   return {TakenUp{plan, point, panes ? files::countBefore(point.pane, point.patternHash, *panes) : files::PaneCounts()},
           {},

@@ -7,6 +7,8 @@
 #include <QObject>
 #include <QThreadPool>
 
+#include <stop_token>
+
 namespace arris::ui {
 
 /// A job that was broken off and can be planned again: all that the machine needs to take it up.
@@ -32,7 +34,7 @@ public:
 
   /// Looks into the folder at once.
   ResumeOffer(files::StateFolder folder, recipe::Machine machine, PlannerSteps steps, QObject* parent = nullptr);
-  ~ResumeOffer() override; ///< waits for the work under way
+  ~ResumeOffer() override; ///< waits until the work under way has given up
   ResumeOffer(const ResumeOffer&) = delete;
   ResumeOffer& operator=(const ResumeOffer&) = delete;
   ResumeOffer(ResumeOffer&&) = delete;
@@ -58,6 +60,8 @@ public:
   }
 
   void takeUp();
+  /// It is not taken up now; it is offered still.
+  void cancel();
   /// The job is not to be resumed: its file goes away.
   void discard();
   /// Another job comes first: the file is set aside, so that nothing of it is lost.
@@ -77,7 +81,7 @@ private:
   };
 
   [[nodiscard]] static Outcome plan(const files::ResumePoint& point, const PlannerSteps& steps,
-                                    const std::filesystem::path& journal);
+                                    const std::filesystem::path& journal, const std::stop_token& stop);
   void take(const Outcome& outcome);
   void moveAside();
 
@@ -88,7 +92,8 @@ private:
   std::optional<control::BrokenJob> m_job;
   base::Problems m_problems;
   std::filesystem::path m_aside;
-  QThreadPool m_pool; // one thread; last, so that it ends before what it uses
+  std::stop_source m_stop; // of the planning under way
+  QThreadPool m_pool;      // one thread; last, so that it ends before what it uses
 };
 
 } // namespace arris::ui

@@ -153,4 +153,17 @@ QString limitedByText(toolpath::LimitedBy limit) {
   return {};
 }
 
+QString stageText(base::Stage stage) {
+  static constexpr std::array<const char*, base::kStageCount> kStages{
+      QT_TRANSLATE_NOOP("Stage", "Reading the drawing…"), QT_TRANSLATE_NOOP("Stage", "Joining and fitting…"),
+      QT_TRANSLATE_NOOP("Stage", "Laying the wheel path…"), QT_TRANSLATE_NOOP("Stage", "Planning the speeds…"),
+      QT_TRANSLATE_NOOP("Stage", "Computing the profile…")};
+  const auto index = static_cast<std::size_t>(stage);
+  //: What is under way, its number, and how many there are.
+  return QCoreApplication::translate("Stage", "%1 (%2 of %3)")
+      .arg(QCoreApplication::translate("Stage", kStages.at(index)))
+      .arg(index + 1)
+      .arg(base::kStageCount);
+}
+
 } // namespace arris::ui

@@ -39,6 +39,9 @@ struct ChoiceTexts {
 [[nodiscard]] QString cornerKindText(toolpath::CornerKind kind);
 [[nodiscard]] QString treatmentText(toolpath::Treatment treatment);
 
+/// What is under way while a pattern is planned, and how far that is: "Laying the wheel path… (3 of 5)".
+[[nodiscard]] QString stageText(base::Stage stage);
+
 /// Why the corner is treated so, in a sentence.
 [[nodiscard]] QString reasonText(toolpath::Reason reason);
 

@@ -168,6 +168,7 @@ const std::vector<const char*>& problemTemplates() {
           "Problem",
           "The machine's greatest speed of the {axis} axis is below the feed; it limits the speed on the contour."),
       QT_TRANSLATE_NOOP("Problem", "Internal error: {reason}."),
+      QT_TRANSLATE_NOOP("Problem", "It was given up before it was done."),
       QT_TRANSLATE_NOOP("Problem", "The job that was broken off is of another pattern or an earlier state of it: "
                                    "{file} had the fingerprint {was}, now it has {is}."),
       QT_TRANSLATE_NOOP(

@@ -1,7 +1,6 @@
 #include "ui/views/drawing_view.h"
 
 #include "ui/figures/drawing_legend.h"
-#include "ui/figures/drawing_painter.h"
 
 #include <QApplication>
 #include <QGestureEvent>
@@ -64,6 +63,7 @@ void DrawingView::setPlan(PlanPointer plan) {
   const bool another = !m_plan || !plan || m_plan->import->file != plan->import->file;
   m_plan = std::move(plan);
   m_labelsValid = false;
+  m_linesFor.reset();
   m_still = {};
   if (another) {
     m_selected = 0;
@@ -203,8 +203,19 @@ void DrawingView::drawBackground(QPainter* painter, const QRectF& /*rect*/) {
   painter->restore();
 }
 
+// A pan takes the lines along; only another scale makes them anew. So far have they moved since.
+QPointF DrawingView::flattenLines() {
+  const QTransform now = viewportTransform();
+  if (!m_linesFor || m_linesFor->m11() != now.m11() || m_linesFor->m22() != now.m22()) {
+    m_lines = flattened(m_plan->drawing, now, m_style);
+    m_linesFor = now;
+  }
+  return {now.dx() - m_linesFor->dx(), now.dy() - m_linesFor->dy()};
+}
+
 void DrawingView::paintStill(QPainter& painter) {
-  paintDrawing(painter, m_plan->drawing, viewportTransform(), frame(), m_style);
+  const QPointF moved = flattenLines();
+  paintDrawing(painter, m_plan->drawing, m_lines, moved, viewportTransform(), frame(), m_style);
   placeLabels();
   paintCornerLabels(painter, m_labels, m_selected, m_style);
   paintLegend(painter);

@@ -2,6 +2,7 @@
 
 #include "core/program/input_point.h"
 #include "ui/figures/corner_labels.h"
+#include "ui/figures/drawing_painter.h"
 #include "ui/figures/style.h"
 #include "ui/presenters/planner.h"
 
@@ -85,6 +86,7 @@ private:
   void setScale(double pixelsPerMillimetre);
   void showBox(const geometry::Box& box, double margin);
   void placeLabels();
+  QPointF flattenLines();
   void paintStill(QPainter& painter);
   void paintGround(QPainter& painter, int segment, std::optional<double> lambda) const;
   void renewStill(QPainter::RenderHints hints);
@@ -103,6 +105,8 @@ private:
 
   PlanPointer m_plan;
   FigureStyle m_style;
+  FlatDrawing m_lines;
+  std::optional<QTransform> m_linesFor; // the view when they were flattened
   std::vector<CornerLabel> m_labels;
   QTransform m_labelsFor; // the view when the labels were placed
   bool m_labelsValid = false;

@@ -84,7 +84,7 @@ TEST(ProfilePath, LeavesOutTheWaysFromOneContourToTheNext) {
 }
 
 TEST(ProfilePath, KnowsThePlacesOfTheMethod) {
-  const PathSetting setting = pathSettingOf(triangle());
+  const PathSetting setting = pathSettingOf(triangle(), drawingOf(triangle()));
   ASSERT_EQ(setting.corners.size(), 3U);
   std::string names;
   for (const PathPlace& place : setting.corners[2].places) {
@@ -100,7 +100,7 @@ TEST(ProfilePath, FindsThePlacesOfAProfileWithoutAPlan) {
   const ProfileCurves curves = curvesOf(columnsOf(triangle()), {});
   const std::vector<CornerPass> passes = cornerPasses(curves);
   const CornerPlaces found = placesOf(curves, passes[1]);
-  const CornerPlaces planned = pathSettingOf(triangle()).corners[1];
+  const CornerPlaces planned = pathSettingOf(triangle(), drawingOf(triangle())).corners[1];
   ASSERT_EQ(found.places.size(), 4U);
   for (const PathPlace& place : found.places) {
     const auto same = std::find_if(planned.places.begin(), planned.places.end(), [&](const PathPlace& candidate) {

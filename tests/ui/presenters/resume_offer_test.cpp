@@ -26,8 +26,8 @@ files::StateFolder folderIn(const test::Scratch& scratch) {
 PlanPointer planNamed(const std::string& name) {
   const PlannerSteps steps = test::paneSteps();
   auto plan = std::make_shared<Plan>();
-  plan->import = std::make_shared<const Import>(steps.read(name, {}).value());
-  plan->job = steps.plan(plan->import->pattern, {}, {});
+  plan->import = std::make_shared<const Import>(steps.read(name, {}, {}).value());
+  plan->job = steps.plan(plan->import->pattern, {}, {}, {});
   return plan;
 }
 
@@ -232,13 +232,14 @@ TEST(ResumeOffer, IsPlannedInTheBackground) {
   std::atomic<bool> plans = false;
   std::thread::id planner;
   MachineSetup setup = fastWith(scratch);
-  setup.steps.plan = [&, plan = setup.steps.plan](const auto& pattern, const auto& recipe, const auto& machine) {
+  setup.steps.plan = [&, plan = setup.steps.plan](const auto& pattern, const auto& recipe, const auto& machine,
+                                                  const auto& monitor) {
     planner = std::this_thread::get_id();
     plans = true;
     while (!goesOn) {
       std::this_thread::yield();
     }
-    return plan(pattern, recipe, machine);
+    return plan(pattern, recipe, machine, monitor);
   };
   MachineLink machine(setup);
   machine.resumeOffer().takeUp();

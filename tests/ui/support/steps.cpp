@@ -20,7 +20,7 @@ base::Expected<pattern::Pattern> paneNamed(const std::filesystem::path& file, co
   const std::string name = file.stem().string();
   if (name == "splashback") {
     return ui::plannerSteps()
-        .read(ARRIS_SOURCE_DIR "/resources/samples/splashback.dxf", options)
+        .read(ARRIS_SOURCE_DIR "/resources/samples/splashback.dxf", options, {})
         .map([](const ui::Import& import) { return import.pattern; });
   }
   if (name == "repaired") {
@@ -48,7 +48,7 @@ base::Expected<pattern::Pattern> paneNamed(const std::filesystem::path& file, co
 
 ui::PlannerSteps paneSteps() {
   ui::PlannerSteps steps = ui::plannerSteps();
-  steps.read = [](const std::filesystem::path& file, const pattern::ImportOptions& options) {
+  steps.read = [](const std::filesystem::path& file, const pattern::ImportOptions& options, const base::Monitor&) {
     return paneNamed(file, options).map([&](const pattern::Pattern& pattern) {
       return ui::Import{file, options, pattern, "0123456789abcdef"};
     });
