@@ -1,5 +1,6 @@
 #include "core/job/trajectory.h"
 
+#include "core/base/window_thread.h"
 #include "core/geometry/parabola_nearest.h"
 
 #include <algorithm>
@@ -52,6 +53,7 @@ Sample sampleOn(const Job& job, const PlannedPiece& piece, double before, double
 }
 
 Trajectory::Trajectory(const Job& job) : m_job(job), m_before{0} {
+  base::takesLong("Trajectory");
   std::vector<geometry::FlatBox> boxes;
   boxes.reserve(job.track.size());
   m_before.reserve(job.track.size() + 1);

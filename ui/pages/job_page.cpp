@@ -316,7 +316,7 @@ void JobPage::arrange() {
   m_findings->setVisible(m_beside || choice == DrawingOnly);
   m_findings->setWide(!m_beside);
   m_split->setOrientation(m_beside ? Qt::Horizontal : Qt::Vertical);
-  m_split->setSizes(m_beside ? QList{width() - kRecipeWidth - kFindingsWidth, kFindingsWidth} : QList{5500, 4500});
+  m_split->setSizes(m_beside ? QList{width() - kRecipeWidth - kFindingsWidth, kFindingsWidth} : QList{5800, 4200});
   m_views->setOrientation(m_beside ? Qt::Vertical : Qt::Horizontal);
   m_views->setSizes({5000, 5000});
 }

@@ -57,9 +57,7 @@ PatternPanel::PatternPanel(PatternShelf& shelf, QWidget* parent) : QWidget(paren
 QString PatternPanel::words() const {
   const PreviewPointer& preview = m_shelf.preview();
   if (preview) {
-    return preview->isTooLarge              ? tr("The file is large: it is read when it is opened.")
-           : preview->drawing.box.isEmpty() ? tr("There is nothing to show.")
-                                            : QString();
+    return preview->drawing.box.isEmpty() ? tr("There is nothing to show.") : QString();
   }
   return m_shelf.isReading() ? QString() : tr("Tap a pattern to see it.");
 }
@@ -72,7 +70,7 @@ QString PatternPanel::facts() const {
   const QLocale locale;
   QStringList lines;
   QStringList second;
-  if (preview->canBeOpened() && preview->import) {
+  if (preview->canBeOpened()) {
     const pattern::Pattern& pattern = preview->import->pattern;
     const QString unit = toQString(pattern::name(pattern.units));
     lines << previewTitle(pattern, QString(), locale, lengthUnit()).lines.front();

@@ -1,7 +1,5 @@
 #include "ui/presenters/pattern_shelf.h"
 
-#include "core/files/whole_file.h"
-
 #include <QDir>
 
 #include <utility>
@@ -11,17 +9,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-PreviewPointer previewOf(const fs::path& file, const ReadPattern& read, const pattern::ImportOptions& options) {
+PreviewPointer previewOf(const fs::path& file, const ReadPattern& read, const pattern::ImportOptions& options,
+                         const std::stop_token& stop) {
   auto preview = std::make_shared<PatternPreview>();
   std::error_code failure;
   const std::uintmax_t bytes = fs::file_size(file, failure);
   preview->bytes = failure ? 0 : bytes;
-  // What is larger still nobody reads: the reader says so.
-  preview->isTooLarge = preview->bytes > PatternShelf::kLargestShown && preview->bytes <= files::kLargestFile;
-  if (preview->isTooLarge) {
-    return preview;
-  }
-  if (base::Expected<Import> import = read(file, options)) {
+  if (base::Expected<Import> import = read(file, options, {stop, {}})) {
     preview->import = std::make_shared<const Import>(*std::move(import));
     preview->drawing = drawingOf(preview->import->pattern);
   } else {
@@ -40,7 +34,7 @@ PatternShelf::PatternShelf(files::StateFolder state, ReadPattern read, QObject* 
 
 PatternShelf::~PatternShelf() {
   ++m_latestListing;
-  ++m_latestLook;
+  m_stopLooking.request_stop();
   m_lister.waitForDone();
   m_reader.waitForDone();
 }
@@ -109,17 +103,15 @@ void PatternShelf::startListing(const std::function<ShelfListing()>& make) {
 }
 
 void PatternShelf::look(const fs::path& file) {
-  m_looked = file;
-  m_preview.reset();
+  lookAt(file);
   m_isReading = true;
-  m_choosesWhenRead = false;
-  m_reader.start([this, number = ++m_latestLook, file, options = m_options] {
-    if (number != m_latestLook) {
+  m_reader.start([this, stop = m_stopLooking.get_token(), file, options = m_options] {
+    if (stop.stop_requested()) {
       return;
     }
-    const PreviewPointer preview = previewOf(file, m_read, options);
-    const auto take = [this, number, preview] {
-      if (number == m_latestLook) {
+    const PreviewPointer preview = previewOf(file, m_read, options, stop);
+    const auto take = [this, stop, preview] {
+      if (!stop.stop_requested()) {
         show(preview);
       }
     };
@@ -129,12 +121,18 @@ void PatternShelf::look(const fs::path& file) {
 }
 
 void PatternShelf::lookAway() {
-  ++m_latestLook;
-  m_looked.clear();
+  lookAt({});
+  Q_EMIT lookChanged();
+}
+
+// What was looked at before is given up.
+void PatternShelf::lookAt(const fs::path& file) {
+  m_stopLooking.request_stop();
+  m_stopLooking = std::stop_source();
+  m_looked = file;
   m_preview.reset();
   m_isReading = false;
   m_choosesWhenRead = false;
-  Q_EMIT lookChanged();
 }
 
 void PatternShelf::show(PreviewPointer preview) {

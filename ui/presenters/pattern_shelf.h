@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <stop_token>
 
 namespace arris::ui {
 
@@ -19,13 +20,12 @@ using ReadPattern = decltype(PlannerSteps::read);
 /// A pattern as it is before it is opened. Never changed once made.
 struct PatternPreview {
   std::uintmax_t bytes = 0;             ///< of the file; 0 where that is not known
-  std::shared_ptr<const Import> import; ///< null: the file could not be read, or is too large to be looked at
+  std::shared_ptr<const Import> import; ///< null: the file could not be read
   Drawing drawing;                      ///< with every problem, also why it could not be read
-  bool isTooLarge = false;              ///< to be shown before it is opened
 
   /// Something would be seen of it.
   [[nodiscard]] bool canBeOpened() const {
-    return isTooLarge || (import && !(import->pattern.contours.empty() && import->pattern.loose.empty()));
+    return import && !(import->pattern.contours.empty() && import->pattern.loose.empty());
   }
 };
 
@@ -34,7 +34,7 @@ using PreviewPointer = std::shared_ptr<const PatternPreview>;
 enum class ShelfList { Recent, Samples, Folder };
 
 /// The patterns that the operator can open, in three lists, and one of them looked at. Lists and files are read in the
-/// background; of each the latest request wins: what an earlier one yields after it is dropped. Nothing of the present
+/// background; of each the latest request wins: what an earlier one has under way is given up. Nothing of the present
 /// job changes until a pattern is chosen. All functions are called from, and all signals arrive in, the thread of the
 /// object.
 class PatternShelf : public QObject {
@@ -42,7 +42,7 @@ class PatternShelf : public QObject {
 
 public:
   explicit PatternShelf(files::StateFolder state, ReadPattern read = plannerSteps().read, QObject* parent = nullptr);
-  ~PatternShelf() override; ///< waits for the work under way
+  ~PatternShelf() override; ///< waits until the work under way has given up
   PatternShelf(const PatternShelf&) = delete;
   PatternShelf& operator=(const PatternShelf&) = delete;
   PatternShelf(PatternShelf&&) = delete;
@@ -93,9 +93,6 @@ public:
   /// Chooses what is looked at; what is still being read, as soon as it is seen that it can be opened.
   void choose();
 
-  /// Larger files are read only to be opened, bytes: no reading can be broken off.
-  static constexpr std::uintmax_t kLargestShown = std::uintmax_t{32} << 20;
-
 Q_SIGNALS:
   void listed();      ///< see `listing`
   void lookChanged(); ///< see `looked` and `preview`
@@ -103,6 +100,7 @@ Q_SIGNALS:
 
 private:
   void startListing(const std::function<ShelfListing()>& make);
+  void lookAt(const std::filesystem::path& file);
   void show(PreviewPointer preview);
 
   files::StateFolder m_state;
@@ -117,7 +115,7 @@ private:
   bool m_isReading = false;
   bool m_choosesWhenRead = false;
   std::atomic<quint64> m_latestListing = 0;
-  std::atomic<quint64> m_latestLook = 0;
+  std::stop_source m_stopLooking;
   QThreadPool m_lister; // one thread each; last, so that they end before what they use
   QThreadPool m_reader;
 };

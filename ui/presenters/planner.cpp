@@ -33,6 +33,9 @@ PlanPointer planOf(ImportPointer import, job::Job job) {
   plan->job = std::move(job);
   plan->drawing = drawingOf(plan->job, plan->import->pattern);
   plan->pathSetting = pathSettingOf(plan->job, plan->drawing);
+  if (!plan->job.pieces.empty()) {
+    plan->trajectory = std::make_unique<const job::Trajectory>(plan->job);
+  }
   return plan;
 }
 

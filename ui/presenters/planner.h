@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/monitor.h"
-#include "core/job/job.h"
+#include "core/job/trajectory.h"
 #include "core/pattern/pattern.h"
 #include "ui/figures/drawing.h"
 #include "ui/figures/profile.h"
@@ -34,6 +34,7 @@ struct Plan {
   job::Job job;
   Drawing drawing;         ///< with every problem, those of the job and the repairs of the pattern
   PathSetting pathSetting; ///< of the plot of the path
+  std::unique_ptr<const job::Trajectory> trajectory; ///< of the job; null where it cannot be ground
 };
 
 using ImportPointer = std::shared_ptr<const Import>;

@@ -27,21 +27,23 @@ void WheelWalk::takePlan(const PlanPointer& plan) {
   if (!m_plan || m_plan->import->file != plan->import->file) {
     m_share.reset();
   }
-  m_trajectory.reset(); // it refers to the plan before
   m_plan = plan;
-  if (!plan->job.pieces.empty()) {
-    m_trajectory = std::make_unique<const job::Trajectory>(plan->job);
-    m_time = m_share ? m_trajectory->timeAfter(*m_share * m_trajectory->length()) : startOfWork(plan->job);
+  if (const job::Trajectory* way = trajectory()) {
+    m_time = m_share ? way->timeAfter(*m_share * way->length()) : startOfWork(plan->job);
   }
   Q_EMIT changed();
 }
 
+const job::Trajectory* WheelWalk::trajectory() const {
+  return m_plan ? m_plan->trajectory.get() : nullptr;
+}
+
 std::optional<job::Sample> WheelWalk::place() const {
-  return m_trajectory ? std::optional(m_trajectory->at(m_time)) : std::nullopt;
+  return trajectory() ? std::optional(trajectory()->at(m_time)) : std::nullopt;
 }
 
 double WheelWalk::duration() const {
-  return m_trajectory ? m_plan->job.duration : 0;
+  return trajectory() ? m_plan->job.duration : 0;
 }
 
 bool WheelWalk::isAtStart() const {
@@ -54,14 +56,14 @@ bool WheelWalk::isAtEnd() const {
 
 void WheelWalk::goTo(double time) {
   m_time = time;
-  m_share = m_trajectory->at(time).path / m_trajectory->length();
+  m_share = trajectory()->at(time).path / trajectory()->length();
   Q_EMIT changed();
 }
 
 void WheelWalk::step(double way) {
-  if (m_trajectory) {
-    const double to = m_trajectory->timeAfter(m_trajectory->at(m_time).path + way);
-    goTo(m_trajectory->firstChange(m_time, to));
+  if (trajectory()) {
+    const double to = trajectory()->timeAfter(trajectory()->at(m_time).path + way);
+    goTo(trajectory()->firstChange(m_time, to));
     Q_EMIT stepped();
   }
 }
@@ -75,16 +77,16 @@ void WheelWalk::stepBack() {
 }
 
 void WheelWalk::dragTo(const geometry::Point& point, double reach) {
-  if (m_trajectory) {
-    goTo(m_trajectory->nearest(point, m_time, reach).time);
+  if (trajectory()) {
+    goTo(trajectory()->nearest(point, m_time, reach).time);
   }
 }
 
 bool WheelWalk::putTo(const geometry::Point& point, double reach) {
-  if (!m_trajectory) {
+  if (!trajectory()) {
     return false;
   }
-  const job::Trajectory::Near anywhere = m_trajectory->nearest(point);
+  const job::Trajectory::Near anywhere = trajectory()->nearest(point);
   if (anywhere.distance <= reach) {
     goTo(anywhere.time);
   }

@@ -1,11 +1,9 @@
 #pragma once
 
-#include "core/job/trajectory.h"
 #include "ui/presenters/planner.h"
 
 #include <QObject>
 
-#include <memory>
 #include <optional>
 
 namespace arris::ui {
@@ -48,11 +46,11 @@ Q_SIGNALS:
 
 private:
   void takePlan(const PlanPointer& plan);
+  [[nodiscard]] const job::Trajectory* trajectory() const; ///< null where there is no place
   void goTo(double time);
   void step(double way);
 
-  PlanPointer m_plan; ///< the last, whether it can be ground or not
-  std::unique_ptr<const job::Trajectory> m_trajectory;
+  PlanPointer m_plan;            ///< the last, whether it can be ground or not
   double m_time = 0;             ///< s
   std::optional<double> m_share; ///< of the way; none until somebody moves the wheel
 };

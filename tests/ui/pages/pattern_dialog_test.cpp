@@ -43,9 +43,9 @@ protected:
   static PlannerSteps realOrPane() {
     PlannerSteps steps = test::paneSteps();
     const ReadPattern pane = steps.read;
-    steps.read = [pane](const fs::path& file, const pattern::ImportOptions& options) {
+    steps.read = [pane](const fs::path& file, const pattern::ImportOptions& options, const base::Monitor& monitor) {
       const bool isReal = file.parent_path().filename() == "samples" || file.stem() == "broken";
-      return isReal ? plannerSteps().read(file, options) : pane(file, options);
+      return isReal ? plannerSteps().read(file, options, monitor) : pane(file, options, monitor);
     };
     return steps;
   }

@@ -12,6 +12,7 @@
 
 #include <atomic>
 #include <fstream>
+#include <thread>
 
 namespace arris::ui {
 namespace {
@@ -127,10 +128,11 @@ TEST_F(OnTheShelf, BeginsInTheFolderOfTheLastPatternUnlessThatIsASample) {
 
 TEST_F(OnTheShelf, ReadsAPatternInTheBackgroundWithTheOptionsOfTheJob) {
   pattern::ImportOptions seen;
-  PatternShelf shelf(m_state, [&](const fs::path& file, const pattern::ImportOptions& options) {
-    seen = options;
-    return test::paneSteps().read(file, options);
-  });
+  PatternShelf shelf(m_state,
+                     [&](const fs::path& file, const pattern::ImportOptions& options, const base::Monitor& monitor) {
+                       seen = options;
+                       return test::paneSteps().read(file, options, monitor);
+                     });
   pattern::ImportOptions options;
   options.gap = 0.25;
   shelf.begin({}, options);
@@ -146,11 +148,12 @@ TEST_F(OnTheShelf, ReadsAPatternInTheBackgroundWithTheOptionsOfTheJob) {
 TEST_F(OnTheShelf, LetsTheLatestLookWinAndReadsNothingThatWasOvertaken) {
   QSemaphore mayRead;
   std::atomic<int> readings = 0;
-  PatternShelf shelf(m_state, [&](const fs::path& file, const pattern::ImportOptions& options) {
-    ++readings;
-    mayRead.acquire();
-    return test::paneSteps().read(file, options);
-  });
+  PatternShelf shelf(m_state,
+                     [&](const fs::path& file, const pattern::ImportOptions& options, const base::Monitor& monitor) {
+                       ++readings;
+                       mayRead.acquire();
+                       return test::paneSteps().read(file, options, monitor);
+                     });
   QSignalSpy changed(&shelf, &PatternShelf::lookChanged);
   shelf.look("triangle.dxf");
   ASSERT_TRUE(QTest::qWaitFor([&] { return readings == 1; }, test::kPatience));
@@ -166,11 +169,12 @@ TEST_F(OnTheShelf, LetsTheLatestLookWinAndReadsNothingThatWasOvertaken) {
 TEST_F(OnTheShelf, DropsAnAnswerOnceItLooksAway) {
   QSemaphore mayRead;
   std::atomic<int> readings = 0;
-  PatternShelf shelf(m_state, [&](const fs::path& file, const pattern::ImportOptions& options) {
-    ++readings;
-    mayRead.acquire();
-    return test::paneSteps().read(file, options);
-  });
+  PatternShelf shelf(m_state,
+                     [&](const fs::path& file, const pattern::ImportOptions& options, const base::Monitor& monitor) {
+                       ++readings;
+                       mayRead.acquire();
+                       return test::paneSteps().read(file, options, monitor);
+                     });
   QSignalSpy chosen(&shelf, &PatternShelf::chosen);
   shelf.look("triangle.dxf");
   shelf.choose();
@@ -234,23 +238,22 @@ TEST_F(OnTheShelf, SaysThatAFileMayNotBeRead) {
   EXPECT_EQ(onlyProblemOf(shelf), base::Code::CannotOpen);
 }
 
-TEST_F(OnTheShelf, LeavesALargeFileUnreadUntilItIsOpened) {
-  int readings = 0;
-  PatternShelf shelf(m_state, [&](const fs::path& file, const pattern::ImportOptions& options) {
-    ++readings;
-    return test::paneSteps().read(file, options);
-  });
-  const fs::path file = drawing("triangle.dxf");
-  fs::resize_file(file, PatternShelf::kLargestShown);
-  shelf.look(file);
+// A large file would keep the next one waiting.
+TEST_F(OnTheShelf, BreaksOffTheReadingThatWasOvertaken) {
+  std::atomic<bool> begun = false;
+  PatternShelf shelf(m_state,
+                     [&](const fs::path& file, const pattern::ImportOptions& options, const base::Monitor& monitor) {
+                       begun = true;
+                       while (file.stem() == "triangle" && !monitor.stop.stop_requested()) { // read for ever otherwise
+                         std::this_thread::yield();
+                       }
+                       return test::paneSteps().read(file, options, monitor);
+                     });
+  shelf.look("triangle.dxf");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return begun.load(); }, test::kPatience));
+  shelf.look("rectangle.dxf");
   ASSERT_TRUE(isLookDone(shelf));
-  EXPECT_EQ(readings, 1);
-  fs::resize_file(file, PatternShelf::kLargestShown + 1);
-  shelf.look(file);
-  ASSERT_TRUE(isLookDone(shelf));
-  EXPECT_EQ(readings, 1);
-  EXPECT_TRUE(shelf.preview()->isTooLarge);
-  EXPECT_TRUE(shelf.canChoose());
+  EXPECT_EQ(shelf.preview()->import->file, "rectangle.dxf");
 }
 
 TEST_F(OnTheShelf, UnpacksTheSamplesOnceAndKeepsWhatTheOperatorChanged) {
@@ -284,12 +287,12 @@ TEST_F(OnTheShelf, CanReadEverySampleAndGrindTheFirstAsAProgramBegins) {
   const ShelfListing samples = listSamples(m_state);
   ASSERT_FALSE(samples.entries.empty());
   for (const ShelfEntry& sample : samples.entries) {
-    const auto import = plannerSteps().read(sample.path, pattern::importOptions({}));
+    const auto import = plannerSteps().read(sample.path, pattern::importOptions({}), {});
     ASSERT_TRUE(import) << sample.path;
     EXPECT_FALSE(base::hasErrors(import->pattern.problems)) << sample.path;
     EXPECT_FALSE(import->pattern.contours.empty()) << sample.path;
   }
-  const auto first = plannerSteps().read(firstSample(m_state).value(), pattern::importOptions({}));
+  const auto first = plannerSteps().read(firstSample(m_state).value(), pattern::importOptions({}), {});
   ASSERT_TRUE(first);
   EXPECT_TRUE(plannerSteps().plan(first->pattern, {}, {}).canBeGround());
 }
