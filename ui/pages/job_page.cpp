@@ -20,7 +20,6 @@
 #include <QResizeEvent>
 #include <QShortcut>
 #include <QSplitter>
-#include <QStackedWidget>
 #include <QToolButton>
 
 #include <algorithm>
@@ -37,6 +36,7 @@ constexpr int kNarrowestPage = 900; // px, in the smallest window
 constexpr int kStateSignSize = 24;
 constexpr int kComplaintWidth = 520;
 constexpr int kComplaintMargin = 10;
+constexpr int kBusyRowWidth = 420;
 
 enum View { DrawingOnly, ProfileOnly, Both };
 
@@ -54,8 +54,8 @@ JobPage::JobPage(Planner& planner, RecipeDesk& desk, WheelWalk& wheel, QWidget* 
     : QWidget(parent), m_planner(planner), m_wheel(wheel), m_recipe(new RecipePanel(planner, desk)),
       m_drawing(new DrawingView), m_profile(new ProfilePlot(screenStyle(kPlotUnit))), m_findings(new FindingsPanel),
       m_stateSign(new QLabel), m_state(new QLabel), m_complaint(new QLabel(this)), m_busy(new BusyBar(tr("Planning"))),
-      m_busyRow(new BusyRow), m_statePlace(new QStackedWidget), m_viewButtons(new QButtonGroup(this)),
-      m_views(new QSplitter(Qt::Vertical)), m_split(new QSplitter(Qt::Vertical)) {
+      m_busyRow(new BusyRow(this)), m_viewButtons(new QButtonGroup(this)), m_views(new QSplitter(Qt::Vertical)),
+      m_split(new QSplitter(Qt::Vertical)) {
   m_recipe->setFixedWidth(kRecipeWidth);
   auto* middle = new QWidget;
   auto* middleLayout = new QVBoxLayout(middle);
@@ -77,6 +77,7 @@ JobPage::JobPage(Planner& planner, RecipeDesk& desk, WheelWalk& wheel, QWidget* 
   m_complaint->setWordWrap(true);
   m_complaint->setMargin(kComplaintMargin);
   m_complaint->hide();
+  makeBusyRow();
   connectPlanner();
   connectViews();
   connectWheel();
@@ -111,8 +112,12 @@ QWidget* JobPage::makeHeader() {
     m_viewButtons->addButton(button, i);
     layout->addWidget(button);
   }
+  m_stateSign->setFixedSize(kStateSignSize, kStateSignSize);
+  m_state->setObjectName(QStringLiteral("state"));
+  m_state->setWordWrap(true);
   layout->addSpacing(2);
-  layout->addWidget(makeStatePlace(), 1);
+  layout->addWidget(m_stateSign);
+  layout->addWidget(m_state, 1);
   using Act = std::function<void()>;
   const auto addZoom = [&](const QString& text, const QString& name, const QString& what, const Act& drawing,
                            const Act& plot) {
@@ -142,26 +147,24 @@ QWidget* JobPage::makeHeader() {
   return header;
 }
 
-// What the plan is and what is under way take turns in one place, so that nothing moves.
-QWidget* JobPage::makeStatePlace() {
-  m_stateSign->setFixedSize(kStateSignSize, kStateSignSize);
-  m_state->setObjectName(QStringLiteral("state"));
-  m_state->setWordWrap(true);
-  auto* state = new QWidget;
-  auto* layout = new QHBoxLayout(state);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(6);
-  layout->addWidget(m_stateSign);
-  layout->addWidget(m_state, 1);
-  m_statePlace->addWidget(state);
-  m_statePlace->addWidget(m_busyRow);
-  connect(m_busyRow, &BusyRow::shownChanged, m_statePlace,
-          [this](bool shown) { m_statePlace->setCurrentIndex(shown ? 1 : 0); });
+void JobPage::makeBusyRow() {
+  m_busyRow->setAutoFillBackground(true);
+  m_busyRow->hide();
+  connect(m_busyRow, &BusyRow::shownChanged, this, [this](bool shown) {
+    m_busyRow->setVisible(shown);
+    placeBusyRow();
+  });
   connect(m_busyRow, &BusyRow::cancelled, &m_planner, &Planner::cancel);
   auto* escape = new QShortcut(Qt::Key_Escape, this);
   escape->setContext(Qt::WidgetWithChildrenShortcut);
   connect(escape, &QShortcut::activated, &m_planner, &Planner::cancel);
-  return m_statePlace;
+}
+
+void JobPage::placeBusyRow() {
+  const QPoint corner = m_split->mapTo(this, m_views->mapTo(m_split, QPoint(1, 1)));
+  const int width = std::min(kBusyRowWidth, m_views->width() - 2);
+  m_busyRow->setGeometry(QRect(corner, QSize(width, m_busyRow->sizeHint().height())));
+  m_busyRow->raise();
 }
 
 QWidget* JobPage::makeViews() {
@@ -273,14 +276,13 @@ void JobPage::showState() {
   m_stateSign->setPixmap(sign ? signIcon(*sign).pixmap(kStateSignSize) : QPixmap());
 }
 
+// In as few words as a small window has room for.
 QString JobPage::cancelledText() const {
   if (!m_plan) {
     return tr("Cancelled. Open a pattern.");
   }
-  return m_planner.isPresent()
-             ? tr("Cancelled: the profile is not shown. Change a value, or open the pattern again, to plan.")
-             : tr("Cancelled: the drawing is of the values before. Change a value, or open the pattern again, to "
-                  "plan.");
+  return m_planner.isPresent() ? tr("Cancelled: no profile.\nTo plan: change a value.")
+                               : tr("Cancelled: values before.\nTo plan: change a value.");
 }
 
 void JobPage::showBusy(bool busy) {
@@ -343,6 +345,7 @@ void JobPage::placeComplaint() {
 void JobPage::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   placeComplaint();
+  placeBusyRow();
   const bool beside = event->size().width() >= kBesideFrom;
   if (beside != m_beside) {
     m_beside = beside;

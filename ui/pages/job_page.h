@@ -8,7 +8,6 @@
 class QButtonGroup;
 class QLabel;
 class QSplitter;
-class QStackedWidget;
 
 namespace arris::ui {
 
@@ -42,7 +41,8 @@ protected:
 
 private:
   QWidget* makeHeader();
-  QWidget* makeStatePlace();
+  void makeBusyRow();
+  void placeBusyRow();
   QWidget* makeViews();
   void connectPlanner();
   void connectViews();
@@ -70,8 +70,7 @@ private:
   QLabel* m_state;
   QLabel* m_complaint; // over the drawing, beside the field that it is about
   BusyBar* m_busy;
-  BusyRow* m_busyRow;
-  QStackedWidget* m_statePlace; // what the plan is, or what is under way
+  BusyRow* m_busyRow; // over the drawing, so that nothing moves
   QButtonGroup* m_viewButtons;
   QSplitter* m_views;
   QSplitter* m_split;

@@ -16,7 +16,7 @@ BusyRow::BusyRow(QWidget* parent) : QWidget(parent), m_text(new QLabel), m_cance
   m_text->setWordWrap(true);
   m_cancel->setObjectName(QStringLiteral("cancelPlanning"));
   auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setContentsMargins(8, 4, 8, 4);
   layout->addWidget(m_text, 1);
   layout->addWidget(m_cancel);
   m_delay.setSingleShot(true);

@@ -219,9 +219,7 @@ TEST_F(EndlessFlow, SaysWhatIsUnderWayAndEndsItByABigButton) {
   test::keep("window-planning", m_window);
   QTest::mouseClick(cancel, Qt::LeftButton);
   EXPECT_FALSE(planner().isBusy());
-  EXPECT_EQ(find<QLabel>("state")->text(),
-            "Cancelled: the drawing is of the values before. Change a value, or open the "
-            "pattern again, to plan.");
+  EXPECT_EQ(find<QLabel>("state")->text(), "Cancelled: values before.\nTo plan: change a value.");
   EXPECT_DOUBLE_EQ(planner().plan()->job.recipe.feed, recipe::Recipe().feed);
   EXPECT_FALSE(m_window.findChild<QPushButton*>("loadJob")->isEnabled()); // it would be of other values
   test::keep("window-cancelled", m_window);
