@@ -1164,10 +1164,6 @@
         <translation>{file} ist nicht vollständig: {reason} (ab Byte {byte}). Was lesbar ist, wird verwendet.</translation>
     </message>
     <message>
-        <source>{file} is damaged: it was kept as {aside}, and defaults are in effect.</source>
-        <translation>{file} ist beschädigt: Die Datei wurde als {aside} aufgehoben, und es gelten die Vorgabewerte.</translation>
-    </message>
-    <message>
         <source>{file} is damaged and was kept as {kept}; hours and metres are counted from zero.</source>
         <translation>{file} ist beschädigt und wurde als {kept} aufgehoben; Stunden und Meter werden ab null gezählt.</translation>
     </message>
@@ -1186,6 +1182,14 @@
     <message>
         <source>The place where the job was broken off (segment {segment}, {lambda_mm} mm) is not on the job as it is planned now.</source>
         <translation>Die Stelle, an der der Auftrag abgebrochen wurde (Segment {segment}, {lambda_mm} mm), liegt nicht auf dem Auftrag, wie er jetzt geplant ist.</translation>
+    </message>
+    <message>
+        <source>{file} is damaged and has no effect; it was kept as {aside}.</source>
+        <translation>{file} ist beschädigt und hat keine Wirkung; die Datei wurde als {aside} aufgehoben.</translation>
+    </message>
+    <message>
+        <source>It was given up before it was done.</source>
+        <translation>Der Vorgang wurde vor dem Ende abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -1791,6 +1795,58 @@
         <source>Tolerance of fitting chopped curves</source>
         <translation>Toleranz beim Glätten zerhackter Kurven</translation>
     </message>
+    <message>
+        <source>Accelerations bind</source>
+        <translation>Beschleunigungen gelten</translation>
+    </message>
+    <message>
+        <source>each axis</source>
+        <translation>für jede Achse</translation>
+    </message>
+    <message>
+        <source>X and Y together</source>
+        <translation>für X und Y gemeinsam</translation>
+    </message>
+    <message>
+        <source>Direction round the pane</source>
+        <translation>Umlaufsinn um die Glasscheibe</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>counter-clockwise</source>
+        <translation>gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Mirror the pattern</source>
+        <translation>Muster spiegeln</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>left to right (X)</source>
+        <translation>links-rechts (X)</translation>
+    </message>
+    <message>
+        <source>top to bottom (Y)</source>
+        <translation>oben-unten (Y)</translation>
+    </message>
+    <message>
+        <source>Unit of the drawing</source>
+        <translation>Einheit der Zeichnung</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>foot</source>
+        <translation>Fuß</translation>
+    </message>
 </context>
 <context>
     <name>Services</name>
@@ -1851,6 +1907,34 @@ Vakuum: %3</translation>
     </message>
 </context>
 <context>
+    <name>Stage</name>
+    <message>
+        <source>Reading the drawing…</source>
+        <translation>Zeichnung lesen…</translation>
+    </message>
+    <message>
+        <source>Joining and fitting…</source>
+        <translation>Verbinden und Glätten…</translation>
+    </message>
+    <message>
+        <source>Laying the wheel path…</source>
+        <translation>Schleifbahn berechnen…</translation>
+    </message>
+    <message>
+        <source>Planning the speeds…</source>
+        <translation>Geschwindigkeiten planen…</translation>
+    </message>
+    <message>
+        <source>Computing the profile…</source>
+        <translation>Profil berechnen…</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <extracomment>What is under way, its number, and how many there are.</extracomment>
+        <translation>%1 (%2 von %3)</translation>
+    </message>
+</context>
+<context>
     <name>State</name>
     <message>
         <source>Drives off</source>
@@ -1907,6 +1991,29 @@ Vakuum: %3</translation>
     <message>
         <source>Emergency stop</source>
         <translation>Not-Halt</translation>
+    </message>
+</context>
+<context>
+    <name>Wheel</name>
+    <message>
+        <source>%1, corner %2</source>
+        <translation>%1, Ecke %2</translation>
+    </message>
+    <message>
+        <source>X %1  Y %2  Z %3 mm</source>
+        <translation>X %1  Y %2  Z %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 s of %2</source>
+        <translation>%1 s von %2</translation>
+    </message>
+    <message>
+        <source>%1 mm/s</source>
+        <translation>%1 mm/s</translation>
+    </message>
+    <message>
+        <source>%1 mm to the corner</source>
+        <translation>%1 mm zur Ecke</translation>
     </message>
 </context>
 <context>
@@ -2129,6 +2236,13 @@ quittiert</translation>
     <message>
         <source>Restored. Close Arris and start it again: then it takes effect.</source>
         <translation>Eingelesen. Arris schließen und neu starten: Dann wird es wirksam.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::BusyRow</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbruch</translation>
     </message>
 </context>
 <context>
@@ -2720,6 +2834,22 @@ Programm: %2</translation>
         <source>Cannot be ground: see the problems.</source>
         <translation>Nicht schleifbar: siehe Probleme.</translation>
     </message>
+    <message>
+        <source>Cancelled. Open a pattern.</source>
+        <translation>Abgebrochen. Muster öffnen.</translation>
+    </message>
+    <message>
+        <source>Cancelled: no profile.
+To plan: change a value.</source>
+        <translation>Abgebrochen: kein Profil.
+Zum Planen: Wert ändern.</translation>
+    </message>
+    <message>
+        <source>Cancelled: values before.
+To plan: change a value.</source>
+        <translation>Abgebrochen: Werte von vorher.
+Zum Planen: Wert ändern.</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::Keypad</name>
@@ -2737,14 +2867,6 @@ Programm: %2</translation>
     <message>
         <source>%1 – Arris</source>
         <translation>%1 – Arris</translation>
-    </message>
-    <message>
-        <source>Open pattern</source>
-        <translation>Muster öffnen</translation>
-    </message>
-    <message>
-        <source>Drawings (*.dxf *.DXF);;All files (*)</source>
-        <translation>Zeichnungen (*.dxf *.DXF);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Job</source>
@@ -2908,6 +3030,10 @@ Programm: %2</translation>
         <source>The order is complete.</source>
         <translation>Die Serie ist fertig.</translation>
     </message>
+    <message>
+        <source>The page Job shows other values than it has: nothing can be loaded before they are planned.</source>
+        <translation>Die Seite „Auftrag“ zeigt andere Werte als die geplanten: Erst wenn sie geplant sind, kann geladen werden.</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::PathPlot</name>
@@ -2918,6 +3044,83 @@ Programm: %2</translation>
     <message>
         <source>Y, mm</source>
         <translation>Y, mm</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::PatternDialog</name>
+    <message>
+        <source>Open pattern</source>
+        <translation>Muster öffnen</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Patterns</source>
+        <translation>Muster</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Hoch</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbruch</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Here are neither drawings (*.dxf) nor folders.</source>
+        <translation>Hier sind weder Zeichnungen (*.dxf) noch Ordner.</translation>
+    </message>
+    <message>
+        <source>No pattern was opened yet, or none is still there.</source>
+        <translation>Noch kein Muster wurde geöffnet, oder keines ist mehr da.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::PatternPanel</name>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>There is nothing to show.</source>
+        <translation>Es gibt nichts zu zeigen.</translation>
+    </message>
+    <message>
+        <source>Tap a pattern to see it.</source>
+        <translation>Zum Ansehen Muster antippen.</translation>
+    </message>
+    <message>
+        <source>Unit of the drawing: %1, assumed</source>
+        <translation>Einheit der Zeichnung: %1, angenommen</translation>
+    </message>
+    <message>
+        <source>Unit of the drawing: %1</source>
+        <translation>Einheit der Zeichnung: %1</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::PatternView</name>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnung</translation>
     </message>
 </context>
 <context>
@@ -3222,14 +3425,162 @@ mm</translation>
     </message>
 </context>
 <context>
-    <name>arris::ui::RecipePanel</name>
+    <name>arris::ui::RecipeBook</name>
     <message>
-        <source>&amp;Open pattern…</source>
-        <translation>Muster &amp;öffnen…</translation>
+        <source>%1, wheel %2</source>
+        <translation>%1, Schleifscheibe %2</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::RecipeDialog</name>
+    <message>
+        <source>Recipes (*.json);;All files (*)</source>
+        <translation>Rezepte (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>No pattern yet</source>
-        <translation>Noch kein Muster</translation>
+        <source>Load</source>
+        <translation>Laden</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Import…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Export…</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Ja</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>Nein</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Rezepte</translation>
+    </message>
+    <message>
+        <source>All recipes</source>
+        <translation>Alle Rezepte</translation>
+    </message>
+    <message>
+        <source>For the glass thickness set now</source>
+        <translation>Für die eingestellte Glasdicke</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Save the values in effect as</source>
+        <translation>Geltende Werte speichern als</translation>
+    </message>
+    <message>
+        <source>“%1” is in effect.</source>
+        <translation>„%1“ gilt jetzt.</translation>
+    </message>
+    <message>
+        <source>Saved as “%1”.</source>
+        <translation>Gespeichert als „%1“.</translation>
+    </message>
+    <message>
+        <source>Replace “%1” by the values in effect?</source>
+        <translation>„%1“ durch die geltenden Werte ersetzen?</translation>
+    </message>
+    <message>
+        <source>Delete “%1”?</source>
+        <translation>„%1“ löschen?</translation>
+    </message>
+    <message>
+        <source>“%1” is deleted.</source>
+        <translation>„%1“ ist gelöscht.</translation>
+    </message>
+    <message>
+        <source>Import a recipe</source>
+        <translation>Rezept importieren</translation>
+    </message>
+    <message>
+        <source>Imported as “%1”; it is not in effect yet.</source>
+        <translation>Importiert als „%1“; gilt noch nicht.</translation>
+    </message>
+    <message>
+        <source>Replace “%1” by the file?</source>
+        <translation>„%1“ durch die Datei ersetzen?</translation>
+    </message>
+    <message>
+        <source>Export a recipe</source>
+        <translation>Rezept exportieren</translation>
+    </message>
+    <message>
+        <source>“%1” is written to %2.</source>
+        <translation>„%1“ ist in %2 gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::RecipeFields</name>
+    <message>
+        <source>Heights</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>On the table</source>
+        <translation>Auf dem Tisch</translation>
+    </message>
+    <message>
+        <source>Lower left corner of the pane</source>
+        <translation>Linke untere Ecke der Glasscheibe</translation>
+    </message>
+    <message>
+        <source>Centred on the table</source>
+        <translation>Mittig auf dem Tisch</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Start near this place</source>
+        <translation>Start möglichst nahe bei</translation>
+    </message>
+    <message>
+        <source>Left to Arris</source>
+        <translation>Arris überlassen</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnung</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>wie in der Datei</translation>
+    </message>
+    <message>
+        <source>Leave unground what
+the wheel cannot reach</source>
+        <translation>Unerreichbares bleibt
+ungeschliffen</translation>
+    </message>
+    <message>
+        <source>Only these layers (none chosen: all)</source>
+        <translation>Nur diese Layer (keiner gewählt: alle)</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Layer</translation>
     </message>
     <message>
         <source>Rim speed: %1 m/s</source>
@@ -3238,6 +3589,44 @@ mm</translation>
     <message>
         <source>The drawing still shows the last valid values.</source>
         <translation>Die Zeichnung zeigt noch die letzten gültigen Werte.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::RecipeModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Glass
+mm</source>
+        <translation>Glas
+mm</translation>
+    </message>
+    <message>
+        <source>Wheel
+mm</source>
+        <translation>Schleifsch.
+mm</translation>
+    </message>
+    <message>
+        <source>Depth
+mm</source>
+        <translation>Tiefe
+mm</translation>
+    </message>
+    <message>
+        <source>Feed
+mm/min</source>
+        <translation>Vorschub
+mm/min</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::RecipePanel</name>
+    <message>
+        <source>No pattern yet</source>
+        <translation>Noch kein Muster</translation>
     </message>
     <message>
         <source>Grinding</source>
@@ -3248,10 +3637,40 @@ mm</translation>
         <translation>Scheibe</translation>
     </message>
     <message>
-        <source>Leave unground what
-the wheel cannot reach</source>
-        <translation>Unerreichbares bleibt
-ungeschliffen</translation>
+        <source>&amp;Pattern…</source>
+        <translation>&amp;Muster…</translation>
+    </message>
+    <message>
+        <source>&amp;Recipes…</source>
+        <translation>&amp;Rezepte…</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>More values</source>
+        <translation>Weitere Werte</translation>
+    </message>
+    <message>
+        <source>Page before</source>
+        <translation>Vorige Seite</translation>
+    </message>
+    <message>
+        <source>Next page</source>
+        <translation>Nächste Seite</translation>
+    </message>
+    <message>
+        <source>Unnamed recipe</source>
+        <translation>Rezept ohne Namen</translation>
+    </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1, geändert</translation>
     </message>
 </context>
 <context>
@@ -3336,6 +3755,10 @@ ungeschliffen</translation>
     <message>
         <source>The job that was broken off is not resumed; what is known of it is kept as %1.</source>
         <translation>Der abgebrochene Auftrag wird nicht fortgesetzt; was von ihm bekannt ist, bleibt als %1 erhalten.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbruch</translation>
     </message>
 </context>
 <context>
@@ -3680,6 +4103,17 @@ Restzeit: %2</translation>
     <message>
         <source>Share</source>
         <translation>Anteil</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::WheelBar</name>
+    <message>
+        <source>Wheel back along its path</source>
+        <translation>Schleifscheibe auf ihrer Bahn zurück</translation>
+    </message>
+    <message>
+        <source>Wheel on along its path</source>
+        <translation>Schleifscheibe auf ihrer Bahn vor</translation>
     </message>
 </context>
 <context>

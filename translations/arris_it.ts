@@ -1164,10 +1164,6 @@
         <translation>{file} non è completo: {reason} al byte {byte}. Si usa ciò che è leggibile.</translation>
     </message>
     <message>
-        <source>{file} is damaged: it was kept as {aside}, and defaults are in effect.</source>
-        <translation>{file} è danneggiato: è stato conservato come {aside} e valgono i valori predefiniti.</translation>
-    </message>
-    <message>
         <source>{file} is damaged and was kept as {kept}; hours and metres are counted from zero.</source>
         <translation>{file} è danneggiato ed è stato conservato come {kept}; ore e metri vengono contati da zero.</translation>
     </message>
@@ -1186,6 +1182,14 @@
     <message>
         <source>The place where the job was broken off (segment {segment}, {lambda_mm} mm) is not on the job as it is planned now.</source>
         <translation>Il punto in cui il lavoro è stato interrotto (segmento {segment}, {lambda_mm} mm) non si trova sul lavoro come è calcolato ora.</translation>
+    </message>
+    <message>
+        <source>{file} is damaged and has no effect; it was kept as {aside}.</source>
+        <translation>{file} è danneggiato e non ha effetto; è stato conservato come {aside}.</translation>
+    </message>
+    <message>
+        <source>It was given up before it was done.</source>
+        <translation>L&apos;operazione è stata annullata prima della fine.</translation>
     </message>
 </context>
 <context>
@@ -1791,6 +1795,58 @@
         <source>Tolerance of fitting chopped curves</source>
         <translation>Tolleranza di approssimazione curve</translation>
     </message>
+    <message>
+        <source>Accelerations bind</source>
+        <translation>Limiti di accelerazione</translation>
+    </message>
+    <message>
+        <source>each axis</source>
+        <translation>per ogni asse</translation>
+    </message>
+    <message>
+        <source>X and Y together</source>
+        <translation>X e Y insieme</translation>
+    </message>
+    <message>
+        <source>Direction round the pane</source>
+        <translation>Senso attorno alla lastra</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>orario</translation>
+    </message>
+    <message>
+        <source>counter-clockwise</source>
+        <translation>antiorario</translation>
+    </message>
+    <message>
+        <source>Mirror the pattern</source>
+        <translation>Specchiatura sagoma</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>left to right (X)</source>
+        <translation>sinistra-destra (X)</translation>
+    </message>
+    <message>
+        <source>top to bottom (Y)</source>
+        <translation>alto-basso (Y)</translation>
+    </message>
+    <message>
+        <source>Unit of the drawing</source>
+        <translation>Unità del disegno</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>pollice</translation>
+    </message>
+    <message>
+        <source>foot</source>
+        <translation>piede</translation>
+    </message>
 </context>
 <context>
     <name>Services</name>
@@ -1851,6 +1907,34 @@ Vuoto: %3</translation>
     </message>
 </context>
 <context>
+    <name>Stage</name>
+    <message>
+        <source>Reading the drawing…</source>
+        <translation>Lettura disegno…</translation>
+    </message>
+    <message>
+        <source>Joining and fitting…</source>
+        <translation>Unione e approssimazione…</translation>
+    </message>
+    <message>
+        <source>Laying the wheel path…</source>
+        <translation>Calcolo percorso mola…</translation>
+    </message>
+    <message>
+        <source>Planning the speeds…</source>
+        <translation>Calcolo velocità…</translation>
+    </message>
+    <message>
+        <source>Computing the profile…</source>
+        <translation>Calcolo profilo…</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <extracomment>What is under way, its number, and how many there are.</extracomment>
+        <translation>%1 (%2 di %3)</translation>
+    </message>
+</context>
+<context>
     <name>State</name>
     <message>
         <source>Drives off</source>
@@ -1907,6 +1991,29 @@ Vuoto: %3</translation>
     <message>
         <source>Emergency stop</source>
         <translation>Emergenza</translation>
+    </message>
+</context>
+<context>
+    <name>Wheel</name>
+    <message>
+        <source>%1, corner %2</source>
+        <translation>%1, spigolo %2</translation>
+    </message>
+    <message>
+        <source>X %1  Y %2  Z %3 mm</source>
+        <translation>X %1  Y %2  Z %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 s of %2</source>
+        <translation>%1 s di %2</translation>
+    </message>
+    <message>
+        <source>%1 mm/s</source>
+        <translation>%1 mm/s</translation>
+    </message>
+    <message>
+        <source>%1 mm to the corner</source>
+        <translation>%1 mm dallo spigolo</translation>
     </message>
 </context>
 <context>
@@ -2129,6 +2236,13 @@ confermato</translation>
     <message>
         <source>Restored. Close Arris and start it again: then it takes effect.</source>
         <translation>Ripristinato. Chiudere e riavviare Arris: solo allora ha effetto.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::BusyRow</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
     </message>
 </context>
 <context>
@@ -2720,6 +2834,22 @@ Programma: %2</translation>
         <source>Cannot be ground: see the problems.</source>
         <translation>Non molabile: vedere i problemi.</translation>
     </message>
+    <message>
+        <source>Cancelled. Open a pattern.</source>
+        <translation>Annullato. Aprire una sagoma.</translation>
+    </message>
+    <message>
+        <source>Cancelled: no profile.
+To plan: change a value.</source>
+        <translation>Annullato: nessun profilo.
+Calcolo: cambiare un valore.</translation>
+    </message>
+    <message>
+        <source>Cancelled: values before.
+To plan: change a value.</source>
+        <translation>Annullato: valori di prima.
+Calcolo: cambiare un valore.</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::Keypad</name>
@@ -2737,14 +2867,6 @@ Programma: %2</translation>
     <message>
         <source>%1 – Arris</source>
         <translation>%1 – Arris</translation>
-    </message>
-    <message>
-        <source>Open pattern</source>
-        <translation>Apri sagoma</translation>
-    </message>
-    <message>
-        <source>Drawings (*.dxf *.DXF);;All files (*)</source>
-        <translation>Disegni (*.dxf *.DXF);;Tutti i file (*)</translation>
     </message>
     <message>
         <source>Job</source>
@@ -2908,6 +3030,10 @@ Programma: %2</translation>
         <source>The order is complete.</source>
         <translation>L&apos;ordine è completo.</translation>
     </message>
+    <message>
+        <source>The page Job shows other values than it has: nothing can be loaded before they are planned.</source>
+        <translation>La pagina «Lavoro» mostra valori non ancora calcolati: finché non vengono calcolati non si può caricare nulla.</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::PathPlot</name>
@@ -2918,6 +3044,83 @@ Programma: %2</translation>
     <message>
         <source>Y, mm</source>
         <translation>Y, mm</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::PatternDialog</name>
+    <message>
+        <source>Open pattern</source>
+        <translation>Apri sagoma</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Recenti</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Esempi</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Cartella</translation>
+    </message>
+    <message>
+        <source>Patterns</source>
+        <translation>Sagome</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Su</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Apri</translation>
+    </message>
+    <message>
+        <source>Here are neither drawings (*.dxf) nor folders.</source>
+        <translation>Qui non ci sono né disegni (*.dxf) né cartelle.</translation>
+    </message>
+    <message>
+        <source>No pattern was opened yet, or none is still there.</source>
+        <translation>Nessuna sagoma aperta finora, o nessuna esiste più.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::PatternPanel</name>
+    <message>
+        <source>Reading</source>
+        <translation>Lettura</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Problemi</translation>
+    </message>
+    <message>
+        <source>There is nothing to show.</source>
+        <translation>Non c&apos;è nulla da mostrare.</translation>
+    </message>
+    <message>
+        <source>Tap a pattern to see it.</source>
+        <translation>Toccare una sagoma per vederla.</translation>
+    </message>
+    <message>
+        <source>Unit of the drawing: %1, assumed</source>
+        <translation>Unità del disegno: %1, presunta</translation>
+    </message>
+    <message>
+        <source>Unit of the drawing: %1</source>
+        <translation>Unità del disegno: %1</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::PatternView</name>
+    <message>
+        <source>Drawing</source>
+        <translation>Disegno</translation>
     </message>
 </context>
 <context>
@@ -3222,14 +3425,162 @@ mm</translation>
     </message>
 </context>
 <context>
-    <name>arris::ui::RecipePanel</name>
+    <name>arris::ui::RecipeBook</name>
     <message>
-        <source>&amp;Open pattern…</source>
-        <translation>&amp;Apri sagoma…</translation>
+        <source>%1, wheel %2</source>
+        <translation>%1, mola %2</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::RecipeDialog</name>
+    <message>
+        <source>Recipes (*.json);;All files (*)</source>
+        <translation>Ricette (*.json);;Tutti i file (*)</translation>
     </message>
     <message>
-        <source>No pattern yet</source>
-        <translation>Ancora nessuna sagoma</translation>
+        <source>Load</source>
+        <translation>Carica</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Elimina</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importa…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Esporta…</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Salva</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>Sì</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>No</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Ricette</translation>
+    </message>
+    <message>
+        <source>All recipes</source>
+        <translation>Tutte le ricette</translation>
+    </message>
+    <message>
+        <source>For the glass thickness set now</source>
+        <translation>Per lo spessore vetro impostato</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Chiudi</translation>
+    </message>
+    <message>
+        <source>Save the values in effect as</source>
+        <translation>Salva i valori attivi come</translation>
+    </message>
+    <message>
+        <source>“%1” is in effect.</source>
+        <translation>«%1» è attiva.</translation>
+    </message>
+    <message>
+        <source>Saved as “%1”.</source>
+        <translation>Salvata come «%1».</translation>
+    </message>
+    <message>
+        <source>Replace “%1” by the values in effect?</source>
+        <translation>Sostituire «%1» con i valori attivi?</translation>
+    </message>
+    <message>
+        <source>Delete “%1”?</source>
+        <translation>Eliminare «%1»?</translation>
+    </message>
+    <message>
+        <source>“%1” is deleted.</source>
+        <translation>«%1» è stata eliminata.</translation>
+    </message>
+    <message>
+        <source>Import a recipe</source>
+        <translation>Importa ricetta</translation>
+    </message>
+    <message>
+        <source>Imported as “%1”; it is not in effect yet.</source>
+        <translation>Importata come «%1»; non è ancora attiva.</translation>
+    </message>
+    <message>
+        <source>Replace “%1” by the file?</source>
+        <translation>Sostituire «%1» con il file?</translation>
+    </message>
+    <message>
+        <source>Export a recipe</source>
+        <translation>Esporta ricetta</translation>
+    </message>
+    <message>
+        <source>“%1” is written to %2.</source>
+        <translation>«%1» è stata salvata in %2.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::RecipeFields</name>
+    <message>
+        <source>Heights</source>
+        <translation>Quote</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Spigoli</translation>
+    </message>
+    <message>
+        <source>On the table</source>
+        <translation>Sulla tavola</translation>
+    </message>
+    <message>
+        <source>Lower left corner of the pane</source>
+        <translation>In basso a sinistra della lastra</translation>
+    </message>
+    <message>
+        <source>Centred on the table</source>
+        <translation>Al centro della tavola</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inizio</translation>
+    </message>
+    <message>
+        <source>Start near this place</source>
+        <translation>Inizio più vicino a</translation>
+    </message>
+    <message>
+        <source>Left to Arris</source>
+        <translation>A scelta di Arris</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Disegno</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>come da file</translation>
+    </message>
+    <message>
+        <source>Leave unground what
+the wheel cannot reach</source>
+        <translation>Non molare dove la
+mola non arriva</translation>
+    </message>
+    <message>
+        <source>Only these layers (none chosen: all)</source>
+        <translation>Solo questi layer (nessuno scelto: tutti)</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Layer</translation>
     </message>
     <message>
         <source>Rim speed: %1 m/s</source>
@@ -3238,6 +3589,44 @@ mm</translation>
     <message>
         <source>The drawing still shows the last valid values.</source>
         <translation>Il disegno mostra ancora gli ultimi valori validi.</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::RecipeModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Nome</translation>
+    </message>
+    <message>
+        <source>Glass
+mm</source>
+        <translation>Vetro
+mm</translation>
+    </message>
+    <message>
+        <source>Wheel
+mm</source>
+        <translation>Mola
+mm</translation>
+    </message>
+    <message>
+        <source>Depth
+mm</source>
+        <translation>Prof.
+mm</translation>
+    </message>
+    <message>
+        <source>Feed
+mm/min</source>
+        <translation>Avanz.
+mm/min</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::RecipePanel</name>
+    <message>
+        <source>No pattern yet</source>
+        <translation>Ancora nessuna sagoma</translation>
     </message>
     <message>
         <source>Grinding</source>
@@ -3248,10 +3637,40 @@ mm</translation>
         <translation>Lastra</translation>
     </message>
     <message>
-        <source>Leave unground what
-the wheel cannot reach</source>
-        <translation>Non molare dove la
-mola non arriva</translation>
+        <source>&amp;Pattern…</source>
+        <translation>&amp;Sagoma…</translation>
+    </message>
+    <message>
+        <source>&amp;Recipes…</source>
+        <translation>&amp;Ricette…</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annulla modifica</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Ripeti modifica</translation>
+    </message>
+    <message>
+        <source>More values</source>
+        <translation>Altri valori</translation>
+    </message>
+    <message>
+        <source>Page before</source>
+        <translation>Pagina precedente</translation>
+    </message>
+    <message>
+        <source>Next page</source>
+        <translation>Pagina successiva</translation>
+    </message>
+    <message>
+        <source>Unnamed recipe</source>
+        <translation>Ricetta senza nome</translation>
+    </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1, modificata</translation>
     </message>
 </context>
 <context>
@@ -3336,6 +3755,10 @@ mola non arriva</translation>
     <message>
         <source>The job that was broken off is not resumed; what is known of it is kept as %1.</source>
         <translation>Il lavoro interrotto non viene ripreso; i dati noti sono conservati come %1.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
     </message>
 </context>
 <context>
@@ -3680,6 +4103,17 @@ Tempo residuo: %2</translation>
     <message>
         <source>Share</source>
         <translation>Quota</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::WheelBar</name>
+    <message>
+        <source>Wheel back along its path</source>
+        <translation>Mola indietro sul suo percorso</translation>
+    </message>
+    <message>
+        <source>Wheel on along its path</source>
+        <translation>Mola avanti sul suo percorso</translation>
     </message>
 </context>
 <context>

@@ -1164,10 +1164,6 @@
         <translation>{file} 不完整：{reason}（自第 {byte} 字节起）。可读取的部分将被使用。</translation>
     </message>
     <message>
-        <source>{file} is damaged: it was kept as {aside}, and defaults are in effect.</source>
-        <translation>{file} 已损坏：已另存为 {aside}，现使用默认值。</translation>
-    </message>
-    <message>
         <source>{file} is damaged and was kept as {kept}; hours and metres are counted from zero.</source>
         <translation>{file} 已损坏，已另存为 {kept}；小时数和米数从零开始计。</translation>
     </message>
@@ -1186,6 +1182,14 @@
     <message>
         <source>The place where the job was broken off (segment {segment}, {lambda_mm} mm) is not on the job as it is planned now.</source>
         <translation>任务的中断位置（第 {segment} 段，{lambda_mm} mm）不在当前规划的任务上。</translation>
+    </message>
+    <message>
+        <source>{file} is damaged and has no effect; it was kept as {aside}.</source>
+        <translation>{file} 已损坏，不起作用；已另存为 {aside}。</translation>
+    </message>
+    <message>
+        <source>It was given up before it was done.</source>
+        <translation>已在完成前取消。</translation>
     </message>
 </context>
 <context>
@@ -1791,6 +1795,58 @@
         <source>Tolerance of fitting chopped curves</source>
         <translation>碎线段拟合公差</translation>
     </message>
+    <message>
+        <source>Accelerations bind</source>
+        <translation>加速度限制方式</translation>
+    </message>
+    <message>
+        <source>each axis</source>
+        <translation>各轴单独</translation>
+    </message>
+    <message>
+        <source>X and Y together</source>
+        <translation>X、Y 合成</translation>
+    </message>
+    <message>
+        <source>Direction round the pane</source>
+        <translation>绕玻璃磨削方向</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>顺时针</translation>
+    </message>
+    <message>
+        <source>counter-clockwise</source>
+        <translation>逆时针</translation>
+    </message>
+    <message>
+        <source>Mirror the pattern</source>
+        <translation>图样镜像</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>left to right (X)</source>
+        <translation>左右（X）</translation>
+    </message>
+    <message>
+        <source>top to bottom (Y)</source>
+        <translation>上下（Y）</translation>
+    </message>
+    <message>
+        <source>Unit of the drawing</source>
+        <translation>图纸单位</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>英寸</translation>
+    </message>
+    <message>
+        <source>foot</source>
+        <translation>英尺</translation>
+    </message>
 </context>
 <context>
     <name>Services</name>
@@ -1851,6 +1907,34 @@ Vacuum: %3</source>
     </message>
 </context>
 <context>
+    <name>Stage</name>
+    <message>
+        <source>Reading the drawing…</source>
+        <translation>正在读取图纸…</translation>
+    </message>
+    <message>
+        <source>Joining and fitting…</source>
+        <translation>正在连接和拟合…</translation>
+    </message>
+    <message>
+        <source>Laying the wheel path…</source>
+        <translation>正在生成磨轮路径…</translation>
+    </message>
+    <message>
+        <source>Planning the speeds…</source>
+        <translation>正在规划速度…</translation>
+    </message>
+    <message>
+        <source>Computing the profile…</source>
+        <translation>正在计算速度曲线…</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <extracomment>What is under way, its number, and how many there are.</extracomment>
+        <translation>%1（%2/%3）</translation>
+    </message>
+</context>
+<context>
     <name>State</name>
     <message>
         <source>Drives off</source>
@@ -1907,6 +1991,29 @@ Vacuum: %3</source>
     <message>
         <source>Emergency stop</source>
         <translation>急停</translation>
+    </message>
+</context>
+<context>
+    <name>Wheel</name>
+    <message>
+        <source>%1, corner %2</source>
+        <translation>%1，转角 %2</translation>
+    </message>
+    <message>
+        <source>X %1  Y %2  Z %3 mm</source>
+        <translation>X %1  Y %2  Z %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 s of %2</source>
+        <translation>%1 秒 / %2</translation>
+    </message>
+    <message>
+        <source>%1 mm/s</source>
+        <translation>%1 mm/s</translation>
+    </message>
+    <message>
+        <source>%1 mm to the corner</source>
+        <translation>距转角 %1 mm</translation>
     </message>
 </context>
 <context>
@@ -2129,6 +2236,13 @@ acknowledged</source>
     <message>
         <source>Restored. Close Arris and start it again: then it takes effect.</source>
         <translation>已恢复。请关闭 Arris 并重新启动，之后生效。</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::BusyRow</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
     </message>
 </context>
 <context>
@@ -2720,6 +2834,22 @@ Whole program: %2</source>
         <source>Cannot be ground: see the problems.</source>
         <translation>无法磨削：请查看“问题”。</translation>
     </message>
+    <message>
+        <source>Cancelled. Open a pattern.</source>
+        <translation>已取消。请打开图样。</translation>
+    </message>
+    <message>
+        <source>Cancelled: no profile.
+To plan: change a value.</source>
+        <translation>已取消：没有曲线。
+更改一个数值即可规划。</translation>
+    </message>
+    <message>
+        <source>Cancelled: values before.
+To plan: change a value.</source>
+        <translation>已取消：仍为之前的数值。
+更改一个数值即可规划。</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::Keypad</name>
@@ -2737,14 +2867,6 @@ Whole program: %2</source>
     <message>
         <source>%1 – Arris</source>
         <translation>%1 – Arris</translation>
-    </message>
-    <message>
-        <source>Open pattern</source>
-        <translation>打开图样</translation>
-    </message>
-    <message>
-        <source>Drawings (*.dxf *.DXF);;All files (*)</source>
-        <translation>图纸 (*.dxf *.DXF);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Job</source>
@@ -2908,6 +3030,10 @@ Whole program: %2</source>
         <source>The order is complete.</source>
         <translation>订单已完成。</translation>
     </message>
+    <message>
+        <source>The page Job shows other values than it has: nothing can be loaded before they are planned.</source>
+        <translation>“任务”页显示的内容与其当前数值不符：重新规划之前无法加载。</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::PathPlot</name>
@@ -2918,6 +3044,83 @@ Whole program: %2</source>
     <message>
         <source>Y, mm</source>
         <translation>Y，mm</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::PatternDialog</name>
+    <message>
+        <source>Open pattern</source>
+        <translation>打开图样</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>最近</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>示例</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>Patterns</source>
+        <translation>图样</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>上一级</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Here are neither drawings (*.dxf) nor folders.</source>
+        <translation>此处既没有图纸（*.dxf），也没有文件夹。</translation>
+    </message>
+    <message>
+        <source>No pattern was opened yet, or none is still there.</source>
+        <translation>尚未打开过图样，或打开过的图样均已不存在。</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::PatternPanel</name>
+    <message>
+        <source>Reading</source>
+        <translation>正在读取</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>There is nothing to show.</source>
+        <translation>没有可显示的内容。</translation>
+    </message>
+    <message>
+        <source>Tap a pattern to see it.</source>
+        <translation>点按一个图样即可查看。</translation>
+    </message>
+    <message>
+        <source>Unit of the drawing: %1, assumed</source>
+        <translation>图纸单位：%1（假定）</translation>
+    </message>
+    <message>
+        <source>Unit of the drawing: %1</source>
+        <translation>图纸单位：%1</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::PatternView</name>
+    <message>
+        <source>Drawing</source>
+        <translation>图形</translation>
     </message>
 </context>
 <context>
@@ -3222,14 +3425,162 @@ mm</translation>
     </message>
 </context>
 <context>
-    <name>arris::ui::RecipePanel</name>
+    <name>arris::ui::RecipeBook</name>
     <message>
-        <source>&amp;Open pattern…</source>
-        <translation>打开图样(&amp;O)…</translation>
+        <source>%1, wheel %2</source>
+        <translation>%1，磨轮 %2</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::RecipeDialog</name>
+    <message>
+        <source>Recipes (*.json);;All files (*)</source>
+        <translation>配方 (*.json);;所有文件 (*)</translation>
     </message>
     <message>
-        <source>No pattern yet</source>
-        <translation>尚无图样</translation>
+        <source>Load</source>
+        <translation>加载</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>导入…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>配方</translation>
+    </message>
+    <message>
+        <source>All recipes</source>
+        <translation>全部配方</translation>
+    </message>
+    <message>
+        <source>For the glass thickness set now</source>
+        <translation>适合当前玻璃厚度</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Save the values in effect as</source>
+        <translation>将当前数值保存为</translation>
+    </message>
+    <message>
+        <source>“%1” is in effect.</source>
+        <translation>“%1”已生效。</translation>
+    </message>
+    <message>
+        <source>Saved as “%1”.</source>
+        <translation>已保存为“%1”。</translation>
+    </message>
+    <message>
+        <source>Replace “%1” by the values in effect?</source>
+        <translation>用当前数值替换“%1”？</translation>
+    </message>
+    <message>
+        <source>Delete “%1”?</source>
+        <translation>删除“%1”？</translation>
+    </message>
+    <message>
+        <source>“%1” is deleted.</source>
+        <translation>“%1”已删除。</translation>
+    </message>
+    <message>
+        <source>Import a recipe</source>
+        <translation>导入配方</translation>
+    </message>
+    <message>
+        <source>Imported as “%1”; it is not in effect yet.</source>
+        <translation>已导入为“%1”；尚未生效。</translation>
+    </message>
+    <message>
+        <source>Replace “%1” by the file?</source>
+        <translation>用该文件替换“%1”？</translation>
+    </message>
+    <message>
+        <source>Export a recipe</source>
+        <translation>导出配方</translation>
+    </message>
+    <message>
+        <source>“%1” is written to %2.</source>
+        <translation>“%1”已写入 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::RecipeFields</name>
+    <message>
+        <source>Heights</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>转角</translation>
+    </message>
+    <message>
+        <source>On the table</source>
+        <translation>工作台上的位置</translation>
+    </message>
+    <message>
+        <source>Lower left corner of the pane</source>
+        <translation>玻璃左下角</translation>
+    </message>
+    <message>
+        <source>Centred on the table</source>
+        <translation>在工作台上居中</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>Start near this place</source>
+        <translation>起点靠近此处</translation>
+    </message>
+    <message>
+        <source>Left to Arris</source>
+        <translation>由 Arris 选择</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>图纸</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>按文件注明</translation>
+    </message>
+    <message>
+        <source>Leave unground what
+the wheel cannot reach</source>
+        <translation>磨轮磨不到的部分
+允许不磨</translation>
+    </message>
+    <message>
+        <source>Only these layers (none chosen: all)</source>
+        <translation>仅这些图层（不选则为全部）</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>图层</translation>
     </message>
     <message>
         <source>Rim speed: %1 m/s</source>
@@ -3238,6 +3589,44 @@ mm</translation>
     <message>
         <source>The drawing still shows the last valid values.</source>
         <translation>图形仍按最近的有效值显示。</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::RecipeModel</name>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Glass
+mm</source>
+        <translation>玻璃
+mm</translation>
+    </message>
+    <message>
+        <source>Wheel
+mm</source>
+        <translation>磨轮
+mm</translation>
+    </message>
+    <message>
+        <source>Depth
+mm</source>
+        <translation>深度
+mm</translation>
+    </message>
+    <message>
+        <source>Feed
+mm/min</source>
+        <translation>进给
+mm/min</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::RecipePanel</name>
+    <message>
+        <source>No pattern yet</source>
+        <translation>尚无图样</translation>
     </message>
     <message>
         <source>Grinding</source>
@@ -3248,10 +3637,40 @@ mm</translation>
         <translation>玻璃</translation>
     </message>
     <message>
-        <source>Leave unground what
-the wheel cannot reach</source>
-        <translation>磨轮磨不到的部分
-允许不磨</translation>
+        <source>&amp;Pattern…</source>
+        <translation>图样(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>&amp;Recipes…</source>
+        <translation>配方(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>More values</source>
+        <translation>更多数值</translation>
+    </message>
+    <message>
+        <source>Page before</source>
+        <translation>上一页</translation>
+    </message>
+    <message>
+        <source>Next page</source>
+        <translation>下一页</translation>
+    </message>
+    <message>
+        <source>Unnamed recipe</source>
+        <translation>未命名配方</translation>
+    </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1，已更改</translation>
     </message>
 </context>
 <context>
@@ -3336,6 +3755,10 @@ the wheel cannot reach</source>
     <message>
         <source>The job that was broken off is not resumed; what is known of it is kept as %1.</source>
         <translation>已中断的任务未继续；其已知信息保存为 %1。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
     </message>
 </context>
 <context>
@@ -3680,6 +4103,17 @@ Time left: %2</source>
     <message>
         <source>Share</source>
         <translation>占比</translation>
+    </message>
+</context>
+<context>
+    <name>arris::ui::WheelBar</name>
+    <message>
+        <source>Wheel back along its path</source>
+        <translation>磨轮沿路径后退</translation>
+    </message>
+    <message>
+        <source>Wheel on along its path</source>
+        <translation>磨轮沿路径前进</translation>
     </message>
 </context>
 <context>

@@ -59,6 +59,12 @@ std::vector<Code> codesOf(const base::Problems& problems) {
   return codes;
 }
 
+pattern::ImportOptions smoothedWithin(double tolerance) {
+  pattern::ImportOptions options;
+  options.smooth = tolerance;
+  return options;
+}
+
 TEST(Cancelled, ReadingEndsWhereItIsAndSaysSo) {
   StopAt stop(Stage::Reading);
   const std::string whole = drawing();
@@ -77,7 +83,7 @@ TEST(Cancelled, JoiningEndsWhereItIsAndSaysSo) {
 }
 
 TEST(Cancelled, PlanningEndsWithTheStageThatItIsInAndCannotBeGround) {
-  const pattern::Pattern pattern = pattern::readDxf(drawing(), {.smooth = 0});
+  const pattern::Pattern pattern = pattern::readDxf(drawing(), smoothedWithin(0));
   ASSERT_TRUE(planJob(pattern, {}, {}).canBeGround());
   StopAt inPath(Stage::WheelPath);
   const Job withoutPath = planJob(pattern, {}, {}, toolpath::Leads::With, inPath.monitor());
@@ -103,7 +109,7 @@ TEST(Cancelled, WorkIsWholeOrCancelledWheneverTheStopComes) {
       stop.request_stop();
     });
     const base::Monitor monitor{stop.get_token(), {}};
-    const pattern::Pattern pattern = pattern::readDxf(text, {.smooth = wait % 2 == 0 ? 0.01 : 0}, monitor);
+    const pattern::Pattern pattern = pattern::readDxf(text, smoothedWithin(wait % 2 == 0 ? 0.01 : 0), monitor);
     const Job job = planJob(pattern, {}, {}, toolpath::Leads::With, monitor);
     if (job.canBeGround()) {
       EXPECT_FALSE(job.pieces.empty());
