@@ -26,7 +26,8 @@ constexpr double kCornerRoom = 1.8; // of the widest point of a transition
 constexpr double kPlaceRoom = 60;   // mm round a marked place
 constexpr double kSceneRoom = 20;   // times the drawing's size can be panned
 
-constexpr double kGroundLine = 5; // px
+constexpr double kStillMargin = 0.25; // of the view, each way
+constexpr double kGroundLine = 5;     // px
 constexpr double kGroundTolerance = 0.3;
 constexpr int kGroundPoints = 100; // of the segment that the wheel is on
 
@@ -62,7 +63,6 @@ void DrawingView::setPlan(PlanPointer plan) {
   }
   const bool another = !m_plan || !plan || m_plan->import->file != plan->import->file;
   m_plan = std::move(plan);
-  m_labelsValid = false;
   m_linesFor.reset();
   m_still = {};
   if (another) {
@@ -158,25 +158,15 @@ QRectF DrawingView::frame() const {
   return QRectF(viewport()->rect());
 }
 
-// Placing takes longer than painting, so a pan takes the labels along until it has gone half a view away.
-void DrawingView::placeLabels() {
-  const QTransform now = viewportTransform();
-  const QPointF moved = now.map(QPointF()) - m_labelsFor.map(QPointF());
-  const bool zoomed = std::abs(now.m11() - m_labelsFor.m11()) > 1e-9 * now.m11();
-  const bool far = std::abs(moved.x()) > frame().width() / 2 || std::abs(moved.y()) > frame().height() / 2;
-  if (m_labelsValid && !zoomed && !far) {
-    for (CornerLabel& label : m_labels) {
-      label.anchor += moved;
-      label.badge.translate(moved);
-      label.box.translate(moved);
-    }
-  } else {
-    const QRectF room =
-        frame().adjusted(-frame().width() / 2, -frame().height() / 2, frame().width() / 2, frame().height() / 2);
-    m_labels = placeCornerLabels(m_plan->drawing, now, room, m_style);
+// A tap meets the labels where they are now.
+void DrawingView::moveLabels() {
+  const QPointF moved = viewportTransform().map(QPointF()) - m_labelsFor.map(QPointF());
+  for (CornerLabel& label : m_labels) {
+    label.anchor += moved;
+    label.badge.translate(moved);
+    label.box.translate(moved);
   }
-  m_labelsFor = now;
-  m_labelsValid = true;
+  m_labelsFor = viewportTransform();
 }
 
 void DrawingView::drawBackground(QPainter* painter, const QRectF& /*rect*/) {
@@ -185,11 +175,7 @@ void DrawingView::drawBackground(QPainter* painter, const QRectF& /*rect*/) {
   painter->fillRect(frame(), m_style.palette.paper);
   if (m_plan) {
     const QTransform toView = viewportTransform();
-    if (m_wheel) {
-      paintOverStill(*painter);
-    } else {
-      paintStill(*painter);
-    }
+    paintOverStill(*painter);
     if (m_marked) {
       painter->setPen(QPen(m_style.palette.ink, 3));
       painter->setBrush(Qt::NoBrush);
@@ -213,45 +199,55 @@ QPointF DrawingView::flattenLines() {
   return {now.dx() - m_linesFor->dx(), now.dy() - m_linesFor->dy()};
 }
 
-void DrawingView::paintStill(QPainter& painter) {
-  const QPointF moved = flattenLines();
-  paintDrawing(painter, m_plan->drawing, m_lines, moved, viewportTransform(), frame(), m_style);
-  placeLabels();
-  paintCornerLabels(painter, m_labels, m_selected, m_style);
-  paintLegend(painter);
+// The view with a margin: a pan within it paints nothing anew.
+QRectF DrawingView::stillFrame() const {
+  const QSize margin = (frame().size() * kStillMargin).toSize(); // whole pixels, so that nothing blurs
+  return frame().adjusted(-margin.width(), -margin.height(), margin.width(), margin.height());
 }
 
-// What has been ground since the last time is added; all else is painted anew only when somebody moves the view.
+bool DrawingView::isStillOutdated(int ground) const {
+  const QTransform now = viewportTransform();
+  const QPointF moved(now.dx() - m_stillFor.dx(), now.dy() - m_stillFor.dy());
+  const bool isOtherScale = m_stillFor.m11() != now.m11() || m_stillFor.m22() != now.m22();
+  const QSize size = (stillFrame().size() * devicePixelRatioF()).toSize();
+  return m_still.isNull() || m_still.size() != size || isOtherScale ||
+         !stillFrame().translated(moved).contains(frame()) || ground < m_groundTo; // another pane, or a step back
+}
+
+// What has been ground since the last time is added; all else is painted anew only where a pan or a zoom shows more.
 void DrawingView::renewStill(QPainter::RenderHints hints) {
-  const QTransform toView = viewportTransform();
-  const double ratio = devicePixelRatioF();
-  const int ground = std::clamp(m_wheel->done.segment, 0, static_cast<int>(m_plan->job.track.size()));
-  const bool isAnew = m_still.isNull() || m_stillFor != toView || m_still.size() != viewport()->size() * ratio ||
-                      ground < m_groundTo; // another pane, or a step back
+  const int ground = m_wheel ? std::clamp(m_wheel->done.segment, 0, static_cast<int>(m_plan->job.track.size())) : 0;
+  const bool isAnew = isStillOutdated(ground);
+  const QRectF all = stillFrame();
   if (isAnew) {
-    m_still = QPixmap(viewport()->size() * ratio);
-    m_still.setDevicePixelRatio(ratio);
+    m_still = QPixmap((all.size() * devicePixelRatioF()).toSize());
+    m_still.setDevicePixelRatio(devicePixelRatioF());
     m_still.fill(m_style.palette.paper);
-    m_stillFor = toView;
+    m_stillFor = viewportTransform();
     m_groundTo = 0;
   }
   QPainter painter(&m_still);
   painter.setRenderHints(hints);
+  painter.translate(-all.topLeft());
   if (isAnew) {
-    paintStill(painter);
+    const QPointF moved = flattenLines();
+    paintDrawing(painter, m_plan->drawing, m_lines, moved, m_stillFor, all, m_style);
+    m_labels = placeCornerLabels(m_plan->drawing, m_stillFor, all, m_style);
+    m_labelsFor = m_stillFor;
+    paintCornerLabels(painter, m_labels, m_selected, m_style);
   }
   for (; m_groundTo < ground; ++m_groundTo) {
-    paintGround(painter, m_groundTo, std::nullopt);
+    paintGround(painter, m_stillFor, m_groundTo, std::nullopt);
   }
 }
 
 // A segment of the track, up to λ or to its end, where it goes along the glass.
-void DrawingView::paintGround(QPainter& painter, int segment, std::optional<double> lambda) const {
+void DrawingView::paintGround(QPainter& painter, const QTransform& toView, int segment,
+                              std::optional<double> lambda) const {
   const motion::Segment& way = m_plan->job.track[static_cast<std::size_t>(segment)];
   if (!motion::isAlongContour(way.move)) {
     return;
   }
-  const QTransform toView = viewportTransform();
   QPolygonF ground;
   if (lambda) {
     const double end = std::clamp(*lambda, 0.0, motion::parameterLength(way));
@@ -268,10 +264,15 @@ void DrawingView::paintGround(QPainter& painter, int segment, std::optional<doub
 
 void DrawingView::paintOverStill(QPainter& painter) {
   renewStill(painter.renderHints());
-  painter.drawPixmap(0, 0, m_still);
-  const bool isWithin = m_groundTo == m_wheel->done.segment && m_groundTo < static_cast<int>(m_plan->job.track.size());
-  if (isWithin) {
-    paintGround(painter, m_groundTo, m_wheel->done.lambda);
+  const QTransform now = viewportTransform();
+  painter.drawPixmap(stillFrame().topLeft() + QPointF(now.dx() - m_stillFor.dx(), now.dy() - m_stillFor.dy()), m_still);
+  moveLabels();
+  paintLegend(painter);
+  if (!m_wheel) {
+    return;
+  }
+  if (m_groundTo == m_wheel->done.segment && m_groundTo < static_cast<int>(m_plan->job.track.size())) {
+    paintGround(painter, now, m_groundTo, m_wheel->done.lambda);
   }
   paintWheel(painter);
 }
@@ -438,7 +439,6 @@ void DrawingView::keyPressEvent(QKeyEvent* event) {
 
 void DrawingView::resizeEvent(QResizeEvent* event) {
   QGraphicsView::resizeEvent(event);
-  m_labelsValid = false;
   if (m_fitted) {
     fit();
   }

@@ -85,11 +85,12 @@ private:
   void zoomBy(double factor);
   void setScale(double pixelsPerMillimetre);
   void showBox(const geometry::Box& box, double margin);
-  void placeLabels();
+  void moveLabels();
   QPointF flattenLines();
-  void paintStill(QPainter& painter);
-  void paintGround(QPainter& painter, int segment, std::optional<double> lambda) const;
+  [[nodiscard]] QRectF stillFrame() const;
+  [[nodiscard]] bool isStillOutdated(int ground) const;
   void renewStill(QPainter::RenderHints hints);
+  void paintGround(QPainter& painter, const QTransform& toView, int segment, std::optional<double> lambda) const;
   void paintOverStill(QPainter& painter);
   void paintWheel(QPainter& painter) const;
   [[nodiscard]] bool isOnWheel(const QPointF& place) const;
@@ -108,18 +109,17 @@ private:
   FlatDrawing m_lines;
   std::optional<QTransform> m_linesFor; // the view when they were flattened
   std::vector<CornerLabel> m_labels;
-  QTransform m_labelsFor; // the view when the labels were placed
-  bool m_labelsValid = false;
+  QTransform m_labelsFor; // the view that they stand in
   int m_selected = 0;
   std::optional<geometry::Point> m_marked;
   std::optional<LiveWheel> m_wheel;
   bool m_wheelMovable = false;
   std::optional<QPointF> m_grip; // where the hand holds the wheel, px from its centre
   bool m_dragsWheel = false;     // the hand has moved since
-  QPixmap m_still;               // all that does not move, with what has been ground
-  QTransform m_stillFor;
-  int m_groundTo = 0;   // segments of the track whose grinding is in it
-  bool m_fitted = true; // the view follows the size of the window until somebody zooms or pans
+  QPixmap m_still;               // all that a pan takes along, with what has been ground
+  QTransform m_stillFor;         // the view when it was painted
+  int m_groundTo = 0;            // segments of the track whose grinding is in it
+  bool m_fitted = true;          // the view follows the size of the window until somebody zooms or pans
   QPoint m_pressed;
 };
 
