@@ -206,7 +206,7 @@ QWidget* SettingsPage::makeMachine() {
   auto* grid = new QGridLayout(m_engineering);
   grid->addWidget(makeNote(tr("What is changed here counts from the next start of Arris.")), 0, 0, 1, 4);
   addChoice(
-      *grid, tr("Axes: simulated, or those of the machine through LinuxCNC"),
+      *grid, tr("Axes"),
       {{QStringLiteral("axesSimulated"), tr("Simulated")}, {QStringLiteral("axesLinuxcnc"), tr("LinuxCNC")}},
       static_cast<int>(m_preferences.settings().axes),
       [](Settings& changed, int index) { changed.axes = static_cast<Settings::Axes>(index); }, 3);

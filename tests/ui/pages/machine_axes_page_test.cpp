@@ -161,6 +161,7 @@ TEST_F(AxesWindow, SaysThatAxesArePresentThatAreNotSimulatedAndOffersNoFaultsOfT
 
 TEST_F(AxesWindow, FallsBackToSimulatedAxesFromADamagedFileButSaysBoth) {
   m_window.reset();
+  std::filesystem::create_directories(m_scratch / "state");
   std::ofstream(m_scratch / "state" / "settings.json") << R"({"arris_settings": 1, "axes": "mine"})";
   open({});
   EXPECT_TRUE(m_window->machine().isSimulated());
