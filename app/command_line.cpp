@@ -36,7 +36,8 @@ const Call* findCall(std::string_view name) {
 void printCalls() {
   constexpr std::string_view kLine = "  arris {:<40} {}\n";
   fmt::print("Arris {}: man-machine interface of a three-axis CNC glass-edge grinder\n\n", ARRIS_VERSION);
-  fmt::print(kLine, "[PATTERN]", "opens the window");
+  fmt::print(kLine, "[PATTERN] [--axes simulated|linuxcnc]",
+             "opens the window, on the axes of its settings or on these");
   for (const Call& call : kCalls) {
     fmt::print(kLine, call.usage, call.what);
   }

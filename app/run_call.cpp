@@ -144,8 +144,7 @@ ExitStatus runJob(const Arguments& arguments) {
   run.patternFile = request.pattern.string();
   run.patternHash = files::fileHash(*bytes);
   run.axes = runRequest.axes;
-  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path();
-  run.moduleFolders = {program, program / "../lib/arris"};
+  run.moduleFolders = moduleFolders();
   run.isFast = runRequest.speed == "fast";
   run.overrideFactor = runRequest.overridePercent / 100;
   run.injections = *injections;

@@ -9,6 +9,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <CLI/Validators.hpp>
 
 #include <cstdlib>
 #include <filesystem>
@@ -33,6 +34,11 @@ void endOnFatal(QtMsgType type, const QMessageLogContext&, const QString&) {
   }
 }
 
+std::optional<files::Settings::Axes> axesNamed(const std::string& word) {
+  using Axes = files::Settings::Axes;
+  return word.empty() ? std::nullopt : std::optional(word == "linuxcnc" ? Axes::Linuxcnc : Axes::Simulated);
+}
+
 } // namespace
 
 ExitStatus openWindow(const Arguments& arguments) {
@@ -41,6 +47,10 @@ ExitStatus openWindow(const Arguments& arguments) {
   call.add_option("PATTERN", pattern, "A drawing (DXF, ASCII or binary) to open")->type_name("");
   std::filesystem::path stateFolder;
   call.add_option("--state-dir", stateFolder, "Folder of records, alarms and the resume point")->type_name("DIR");
+  std::string axes;
+  call.add_option("--axes", axes, "Which axes move at this start (simulated, linuxcnc); else those of the settings")
+      ->check(CLI::IsMember({"simulated", "linuxcnc"}))
+      ->type_name("WORD");
   if (const auto status = read(call, arguments)) {
     return *status;
   }
@@ -59,7 +69,9 @@ ExitStatus openWindow(const Arguments& arguments) {
   QApplication application(count, programArguments);
   qInstallMessageHandler(before);
   const auto file = pattern.empty() ? std::nullopt : std::optional<std::filesystem::path>(pattern);
-  const ui::MachineSetup setup{{}, folder, control::Pace::Real};
+  ui::MachineSetup setup{{}, folder, control::Pace::Real};
+  setup.axes = axesNamed(axes);
+  setup.moduleFolders = moduleFolders();
   return ui::runWindow(application, setup, file) == 0 ? ExitStatus::Done : ExitStatus::InternalError;
 }
 

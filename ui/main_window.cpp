@@ -36,8 +36,10 @@ QString droppedFile(const QMimeData& data) {
   return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
 }
 
-MachineSetup on(const recipe::Machine& machine, MachineSetup setup) {
-  setup.machine = machine;
+// What is asked for at this start comes before what was chosen.
+MachineSetup with(const Preferences& preferences, MachineSetup setup) {
+  setup.machine = preferences.machine();
+  setup.axes = setup.axes.value_or(preferences.settings().axes);
   return setup;
 }
 
@@ -59,7 +61,7 @@ void showWith(const files::Settings& settings) {
 MainWindow::MainWindow(const MachineSetup& setup, PlannerSteps steps, QWidget* parent)
     : QMainWindow(parent), m_preferences(setup.folder, setup.machine), m_planner(m_preferences.machine(), steps),
       m_desk(m_planner, setup.folder), m_shelf(setup.folder, std::move(steps.read)),
-      m_machine(on(m_preferences.machine(), setup)), m_shown(m_preferences.settings()) {
+      m_machine(with(m_preferences, setup)), m_shown(m_preferences.settings()) {
   setAcceptDrops(true);
   m_planner.setRecipe(m_preferences.lastRecipe());
   m_desk.history.forget();

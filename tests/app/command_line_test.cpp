@@ -68,6 +68,14 @@ TEST(CommandLine, ADisplayThatCannotBeReachedIsNoCrash) {
   EXPECT_THAT(outcome.err, HasSubstr("no display"));
 }
 
+TEST(CommandLine, TheWindowTakesTheAxesThatAreAskedFor) {
+  for (const char* axes : {"simulated", "linuxcnc"}) {
+    const Outcome outcome = arris({"--axes", axes});
+    EXPECT_EQ(outcome.status, kSystemFailure);
+    EXPECT_THAT(outcome.err, HasSubstr("no display")); // and nothing else is wrong
+  }
+}
+
 struct Usage {
   const char* name;
   std::vector<std::string> arguments;
@@ -106,6 +114,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Usage{"PlaceFarOff", {"plan", kTriangle, "--place", "1e9,0"}, "--place"},
                     Usage{"StartWithBlank", {"plan", kTriangle, "--start", "1, 2"}, "--start"},
                     Usage{"AboveTheMachine", {"plan", kTriangle, "--accel-x", "501"}, "--accel-x"},
+                    Usage{"UnknownAxes", {"pane.dxf", "--axes", "real"}, "--axes"},
                     Usage{"UnknownHelp", {"help", "grind"}, "grind"},
                     Usage{"PictureKind", {"plan", kTriangle, "--preview", "a.jpg"}, "--preview"},
                     Usage{"PlotKind", {"plan", kTriangle, "--plot", "plot"}, "--plot"},

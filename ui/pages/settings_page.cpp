@@ -82,12 +82,12 @@ void SettingsPage::change(const std::function<void(Settings&)>& edit) {
 
 void SettingsPage::addChoice(QGridLayout& grid, const QString& what,
                              const std::vector<std::pair<QString, QString>>& buttons, int chosen,
-                             const std::function<void(Settings&, int)>& take) {
+                             const std::function<void(Settings&, int)>& take, int columns) {
   auto* segments = new Segments(buttons, chosen);
   segments->setFixedWidth(kChoiceWidth);
   const int row = grid.rowCount();
   grid.addWidget(makeNote(what), row, 0);
-  grid.addWidget(segments, row, 1);
+  grid.addWidget(segments, row, 1, 1, columns, Qt::AlignLeft);
   connect(segments, &Segments::picked, this,
           [this, take](int index) { change([&](Settings& settings) { take(settings, index); }); });
 }
@@ -205,6 +205,11 @@ QWidget* SettingsPage::makeMachine() {
   m_engineering = new QWidget;
   auto* grid = new QGridLayout(m_engineering);
   grid->addWidget(makeNote(tr("What is changed here counts from the next start of Arris.")), 0, 0, 1, 4);
+  addChoice(
+      *grid, tr("Axes"),
+      {{QStringLiteral("axesSimulated"), tr("Simulated")}, {QStringLiteral("axesLinuxcnc"), tr("LinuxCNC")}},
+      static_cast<int>(m_preferences.settings().axes),
+      [](Settings& changed, int index) { changed.axes = static_cast<Settings::Axes>(index); }, 3);
   addFieldsOfMachine(*grid);
   grid->setColumnStretch(0, 1);
   grid->setRowStretch(grid->rowCount(), 1);

@@ -32,7 +32,7 @@ private:
   QComboBox* makeLanguages();
   QComboBox* makeScales();
   void addChoice(QGridLayout& grid, const QString& what, const std::vector<std::pair<QString, QString>>& buttons,
-                 int chosen, const std::function<void(files::Settings&, int)>& take);
+                 int chosen, const std::function<void(files::Settings&, int)>& take, int columns = 1);
   void addFieldsOfMachine(QGridLayout& grid);
   void addNumber(QGridLayout& grid, int column, NumberEdit* edit, const std::function<void(double)>& take);
   void change(const std::function<void(files::Settings&)>& edit);

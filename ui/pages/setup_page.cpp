@@ -2,6 +2,7 @@
 
 #include "ui/pages/by_hand_panel.h"
 #include "ui/text/machine_texts.h"
+#include "ui/text/problem_texts.h"
 #include "ui/text/quantities.h"
 #include "ui/widgets/segments.h"
 
@@ -84,7 +85,9 @@ SetupPage::SetupPage(MachineLink& machine, QWidget* parent)
   m_jogHint->setMinimumHeight(2 * fontMetrics().lineSpacing()); // nothing jumps
   m_parts->addWidget(makeMoving());
   m_parts->addWidget(new ByHandPanel(machine));
-  m_parts->addWidget(makeSimulation());
+  if (machine.isSimulated()) {
+    m_parts->addWidget(makeSimulation());
+  }
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 4, 6, 4);
   layout->addWidget(m_guide);
@@ -101,10 +104,12 @@ SetupPage::SetupPage(MachineLink& machine, QWidget* parent)
 
 // Which part of the page is shown.
 QWidget* SetupPage::makeParts() {
-  auto* parts = new Segments({{QStringLiteral("showMoving"), tr("Drives and jog")},
-                              {QStringLiteral("showByHand"), tr("Origin and by hand")},
-                              {QStringLiteral("showSimulation"), tr("Simulation")}},
-                             m_machine.setupChoices().part);
+  std::vector<std::pair<QString, QString>> names{{QStringLiteral("showMoving"), tr("Drives and jog")},
+                                                 {QStringLiteral("showByHand"), tr("Origin and by hand")}};
+  if (m_machine.isSimulated()) {
+    names.emplace_back(QStringLiteral("showSimulation"), tr("Simulation"));
+  }
+  auto* parts = new Segments(names, m_machine.setupChoices().part);
   connect(parts, &Segments::picked, this, &SetupPage::showPart);
   return parts;
 }
@@ -284,7 +289,9 @@ void SetupPage::showAllowed() {
   m_park->setEnabled(allowed.move);
   showJog(allowed);
   const control::Report& report = m_machine.report();
-  m_guide->setText(allowed.acknowledge   ? tr("Read the alarm above, mend its cause, acknowledge it.")
+  const auto& absence = m_machine.absence();
+  m_guide->setText(absence               ? tr("Nothing can be moved: %1").arg(problemText(*absence, QLocale()))
+                   : allowed.acknowledge ? tr("Read the alarm above, mend its cause, acknowledge it.")
                    : allowed.enable      ? tr("Next: switch the drives on.")
                    : !report.homed       ? tr("Next: home all axes, so that their places are known.")
                    : !m_machine.loaded() ? tr("Next: load the job on the page Run.")

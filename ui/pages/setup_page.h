@@ -13,8 +13,8 @@ class QStackedWidget;
 namespace arris::ui {
 
 /// Switching on, homing, moving by hand; on further parts the table's origin with spindle and coolant by hand, and the
-/// faults of the simulated machine. Nothing here starts a job. A jog without steps is dead-man: letting go, losing the
-/// focus, another page, a dialog, another window: each stops it.
+/// faults of the simulated machine, where it is simulated. Nothing here starts a job. A jog without steps is dead-man:
+/// letting go, losing the focus, another page, a dialog, another window: each stops it.
 class SetupPage : public QWidget {
   Q_OBJECT
 

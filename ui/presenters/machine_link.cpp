@@ -32,14 +32,16 @@ constexpr int kLastPlaces = 300;
 } // namespace
 
 MachineLink::MachineLink(const MachineSetup& setup, QObject* parent)
-    : MachineLink(setup, std::make_unique<control::SimulatedAxes>(setup.machine, setup.pace, setup.machine.travel / 2),
+    : MachineLink(setup,
+                  makeAxes(setup.axes.value_or(files::Settings::Axes::Simulated), setup.machine, setup.pace,
+                           setup.moduleFolders),
                   parent) {}
 
-MachineLink::MachineLink(const MachineSetup& setup, std::unique_ptr<control::SimulatedAxes> axes, QObject* parent)
-    : QObject(parent), m_folder(setup.folder), m_pace(setup.pace), m_machine(setup.machine), m_axes(axes.get()),
-      m_station(setup.machine, std::move(axes), setup.pace,
-                {[this](const control::Report& report) { hear(report); },
-                 [this](const control::FaultReport& fault) { hear(fault); }}),
+MachineLink::MachineLink(const MachineSetup& setup, MachineAxes axes, QObject* parent)
+    : QObject(parent), m_folder(setup.folder), m_pace(axes.pace), m_machine(setup.machine), m_simulated(axes.simulated),
+      m_absence(std::move(axes.absence)), m_station(setup.machine, std::move(axes.driver), axes.pace,
+                                                    {[this](const control::Report& report) { hear(report); },
+                                                     [this](const control::FaultReport& fault) { hear(fault); }}),
       m_order(setup.folder.paneJournal()), m_offer(setup.folder, setup.machine, setup.steps), m_watcher(setup.watcher) {
   m_pool.setMaxThreadCount(1);
   connect(&m_order, &OrderBook::changed, this, &MachineLink::changed);
@@ -49,7 +51,7 @@ MachineLink::MachineLink(const MachineSetup& setup, std::unique_ptr<control::Sim
   connect(&m_timer, &QTimer::timeout, this, &MachineLink::pass);
   setCounting(true);
   m_timer.setTimerType(Qt::PreciseTimer);
-  m_timer.start(setup.pace == control::Pace::Real ? kServeEvery : 1);
+  m_timer.start(axes.pace == control::Pace::Real ? kServeEvery : 1);
 }
 
 MachineLink::~MachineLink() {
@@ -198,11 +200,14 @@ Allowed MachineLink::allowed() const {
   allowed.load = allowed.load && !isBeingPlanned;
   allowed.start = allowed.start && !isBeingPlanned && (!broken || broken->origin == report().origin);
   allowed.origin = allowed.origin && !broken;
+  allowed.enable = allowed.enable && !m_absence;
   return allowed;
 }
 
 void MachineLink::enable() {
-  m_station.operatorSide().enable();
+  if (allowed().enable) {
+    m_station.operatorSide().enable();
+  }
 }
 
 void MachineLink::disable() {
@@ -285,15 +290,21 @@ void MachineLink::setOverride(double factor) {
 }
 
 void MachineLink::inject(control::SimulatedFault fault) {
-  m_axes->inject(fault);
+  if (isSimulated()) {
+    m_simulated->inject(fault);
+  }
 }
 
 void MachineLink::press(control::Button button, bool down) {
-  m_axes->press(button, down);
+  if (isSimulated()) {
+    m_simulated->press(button, down);
+  }
 }
 
 void MachineLink::clearFaults() {
-  m_axes->clearFaults();
+  if (isSimulated()) {
+    m_simulated->clearFaults();
+  }
 }
 
 } // namespace arris::ui

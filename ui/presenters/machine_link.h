@@ -2,10 +2,10 @@
 
 #include "core/control/counter_keeper.h"
 #include "core/control/run_keeper.h"
-#include "core/control/simulated_axes.h"
 #include "core/control/station.h"
 #include "core/program/progress.h"
 #include "ui/presenters/allowed.h"
+#include "ui/presenters/machine_axes.h"
 #include "ui/presenters/order_book.h"
 #include "ui/presenters/planner.h"
 #include "ui/presenters/resume_offer.h"
@@ -31,9 +31,11 @@ struct Alarm {
 struct MachineSetup {
   recipe::Machine machine;
   files::StateFolder folder;
-  control::Pace pace = control::Pace::Real;                 ///< Simulated: as fast as it can, for tests
-  PlannerSteps steps = plannerSteps();                      ///< by which a job that was broken off is planned again
+  control::Pace pace = control::Pace::Real; ///< Simulated: simulated axes as fast as they can, for tests
+  PlannerSteps steps = plannerSteps();      ///< by which a job that was broken off is planned again
   std::function<void(const control::Report&)> watcher = {}; ///< hears of every period, if anybody does
+  std::optional<files::Settings::Axes> axes = {};           ///< none said: as the settings say
+  std::vector<std::filesystem::path> moduleFolders = {};    ///< where the module of the LinuxCNC axes may lie
 };
 
 /// What has been chosen on the page Setup; it outlives the page.
@@ -44,14 +46,18 @@ struct SetupChoices {
   double spindle = 0; ///< r/min, by hand; 0 not chosen yet
 };
 
-/// The machine as the window sees it: the simulated axes with their controller, in a thread of its own in real time,
-/// and the operator's side, which is served from the window's thread: where the window hangs the controller stops.
-/// Commands go down and reports come up as values. Shares nothing with widgets.
+/// The machine as the window sees it: axes with their controller, in a thread of its own in real time, and the
+/// operator's side, which is served from the window's thread: where the window hangs the controller stops. Commands go
+/// down and reports come up as values. Where real axes are not available the reason is its complaint and nothing can be
+/// moved. Shares nothing with widgets.
 class MachineLink : public QObject {
   Q_OBJECT
 
 public:
+  /// With the axes that the setup asks for, simulated ones where it says nothing; LinuxCNC's keep real time, and may
+  /// have to be waited for, a second or two.
   explicit MachineLink(const MachineSetup& setup, QObject* parent = nullptr);
+  MachineLink(const MachineSetup& setup, MachineAxes axes, QObject* parent = nullptr); ///< with these axes
   ~MachineLink() override; ///< brings the axes to rest first
   MachineLink(const MachineLink&) = delete;
   MachineLink& operator=(const MachineLink&) = delete;
@@ -68,6 +74,16 @@ public:
   }
 
   [[nodiscard]] Allowed allowed() const;
+
+  /// The axes are simulated: they can be made to fail, and have no panel but the window's.
+  [[nodiscard]] bool isSimulated() const {
+    return m_simulated != nullptr;
+  }
+
+  /// Why real axes are not there.
+  [[nodiscard]] const std::optional<base::Problem>& absence() const {
+    return m_absence;
+  }
 
   /// What the controller has, frozen while it has it; null where none is loaded.
   [[nodiscard]] const PlanPointer& loaded() const {
@@ -126,9 +142,9 @@ public:
     return m_alarms;
   }
 
-  /// What could not be started or written, the last of it.
+  /// What could not be started or written, the last of it; or else that the axes are not there.
   [[nodiscard]] const std::optional<base::Problem>& complaint() const {
-    return m_complaint;
+    return m_complaint ? m_complaint : m_absence;
   }
 
   /// The record of the present or the last run; empty before the first.
@@ -191,9 +207,12 @@ public:
   void spindleByHand(double speed);              ///< r/min; 0 off
   void coolantByHand(bool on);
   void setOverride(double factor);
+
+  // Of simulated axes; with others nothing happens.
+
   void inject(control::SimulatedFault fault);
-  void clearFaults();                            ///< of the simulated machine
-  void press(control::Button button, bool down); ///< of its panel
+  void clearFaults();
+  void press(control::Button button, bool down); ///< of their panel
 
 Q_SIGNALS:
   /// A new period has been reported.
@@ -203,8 +222,6 @@ Q_SIGNALS:
   void alarmRaised(const arris::ui::Alarm& alarm);
 
 private:
-  MachineLink(const MachineSetup& setup, std::unique_ptr<control::SimulatedAxes> axes, QObject* parent);
-
   void pass();
   void passOnce(); ///< at the end, without the timer
 
@@ -228,7 +245,8 @@ private:
   files::StateFolder m_folder;
   control::Pace m_pace;
   recipe::Machine m_machine;
-  control::SimulatedAxes* m_axes; ///< the station's
+  control::SimulatedAxes* m_simulated; ///< the station's axes, where they are these
+  std::optional<base::Problem> m_absence;
   control::Station m_station;
   PlanPointer m_loaded;
   OrderBook m_order;

@@ -57,13 +57,21 @@ void AlarmBanner::mouseReleaseEvent(QMouseEvent* event) {
   }
 }
 
+// Nobody takes the one machine for the other.
+QString AlarmBanner::axesText() const {
+  return m_machine.isSimulated() ? tr("Simulated axes")
+         : m_machine.absence()   ? tr("LinuxCNC: no axes")
+                                 : tr("Axes through LinuxCNC");
+}
+
 void AlarmBanner::showState() {
   const control::JobState job = m_machine.jobState();
   const QString panes = m_machine.loaded()
                             ? tr("%1 of %2 panes good").arg(m_machine.order().good()).arg(m_machine.order().wanted())
                             : tr("No job is loaded");
   m_state->setText(stateText(m_machine.report().state) + QLatin1Char('\n') +
-                   (m_machine.loaded() ? jobStateText(job) + QStringLiteral(" · ") + panes : panes));
+                   (m_machine.loaded() ? jobStateText(job) + QStringLiteral(" · ") + panes : panes) +
+                   QLatin1Char('\n') + axesText());
   const Alarm* active = nullptr;
   for (const Alarm& alarm : m_machine.alarms()) { // the first one says what came first
     active = active == nullptr && alarm.isActive ? &alarm : active;

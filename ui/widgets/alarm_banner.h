@@ -28,6 +28,7 @@ protected:
   void mouseReleaseEvent(QMouseEvent* event) override;
 
 private:
+  [[nodiscard]] QString axesText() const;
   void showState();
 
   MachineLink& m_machine;

@@ -26,9 +26,9 @@ std::string withRecorder(std::string text) {
   text.replace(at, load.size(), "sampler depth=8000,60000 cfg=fffffbb,fffffbb");
   const std::size_t start = text.rfind("start\n");
   std::string recorder;
-  const char* const signals[] = {"x-measured", "y-measured", "z-measured", "number", "time", "chain-ok", "x-enabled"};
+  const char* const recorded[] = {"x-measured", "y-measured", "z-measured", "number", "time", "chain-ok", "x-enabled"};
   for (int i = 0; i < 7; ++i) {
-    recorder += std::string("net ") + signals[i] + " => sampler.1.pin." + std::to_string(i) + "\n";
+    recorder += std::string("net ") + recorded[i] + " => sampler.1.pin." + std::to_string(i) + "\n";
   }
   return text.insert(start, recorder + "addf sampler.1 servo\n");
 }
