@@ -44,10 +44,10 @@ protected:
       urls.push_back(QUrl::fromLocalFile(QString::fromStdString(file.string())));
     }
     data.setUrls(urls);
-    return drop(data);
+    return dropData(data);
   }
 
-  bool drop(const QMimeData& data) {
+  bool dropData(const QMimeData& data) {
     QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, {});
     enter.setAccepted(false);
     QCoreApplication::sendEvent(&m_window, &enter);
@@ -100,7 +100,7 @@ protected:
 
 TEST_F(OpeningBeside, APatternThatIsDroppedIsRead) {
   EXPECT_TRUE(drop({writeRectangle()}));
-  EXPECT_EQ(m_window.planner().plan()->job.corners.size(), 4U);
+  EXPECT_EQ(m_window.planner().plan()->job.toolpath.corners.size(), 4U);
   EXPECT_TRUE(m_window.planner().plan()->job.canBeGround());
 }
 
@@ -119,10 +119,10 @@ TEST_F(OpeningBeside, TwoFilesAreNotTaken) {
 TEST_F(OpeningBeside, WhatIsNoFileOfThisComputerIsNotTaken) {
   QMimeData words;
   words.setText(QStringLiteral("triangle.dxf"));
-  EXPECT_FALSE(drop(words));
+  EXPECT_FALSE(dropData(words));
   QMimeData far;
   far.setUrls({QUrl(QStringLiteral("https://example.com/rectangle.dxf"))});
-  EXPECT_FALSE(drop(far));
+  EXPECT_FALSE(dropData(far));
   EXPECT_EQ(m_window.planner().plan(), m_triangle);
 }
 
@@ -178,7 +178,7 @@ TEST_F(OpeningBeside, AnotherPatternNeverTouchesTheJobThatRuns) {
   grindSlowly();
   const PlanPointer loaded = m_window.machine().loaded();
   EXPECT_TRUE(drop({writeRectangle()}));
-  EXPECT_EQ(m_window.planner().plan()->job.corners.size(), 4U);
+  EXPECT_EQ(m_window.planner().plan()->job.toolpath.corners.size(), 4U);
   EXPECT_EQ(m_window.machine().loaded(), loaded);
   EXPECT_EQ(m_window.machine().jobState(), JobState::Running);
   tap("pageRun");
@@ -186,9 +186,9 @@ TEST_F(OpeningBeside, AnotherPatternNeverTouchesTheJobThatRuns) {
   EXPECT_TRUE(label("revision").contains(QStringLiteral("stays as it was loaded")));
   m_window.machine().setOverride(1);
   ASSERT_TRUE(becomes(JobState::Ended));
-  EXPECT_EQ(loaded->job.corners.size(), 3U);
+  EXPECT_EQ(loaded->job.toolpath.corners.size(), 3U);
   tap("loadJob");
-  EXPECT_EQ(m_window.machine().loaded()->job.corners.size(), 4U);
+  EXPECT_EQ(m_window.machine().loaded()->job.toolpath.corners.size(), 4U);
 }
 
 TEST_F(OpeningBeside, AValueThatIsTypedNeverTouchesTheJobThatIsLoadedOrRuns) {
