@@ -36,6 +36,10 @@ protected:
     ASSERT_TRUE(button(name)->isVisible()) << name;
     ASSERT_EQ(QApplication::activeModalWidget(), nullptr) << name;
     m_seen.clear();
+    touch(name);
+  }
+
+  void touch(const char* name) {
     QTest::mouseClick(m_window.windowHandle(), Qt::LeftButton, {},
                       button(name)->mapTo(&m_window, button(name)->rect().center()));
   }
@@ -164,7 +168,7 @@ TEST_F(Stops, HoldAndStopTheJobUnderTheLockOfTheScreen) {
   resumeSoon();
   strike(Qt::Key_F11);
   EXPECT_TRUE(becomes(State::Held));
-  press("resume"); // under the cover: wiping does not start anything
+  touch("resume"); // under the cover: wiping does not start anything
   QTest::qWait(100);
   EXPECT_EQ(m_window.machine().jobState(), JobState::Interrupted);
   resumeSoon();

@@ -50,8 +50,8 @@ void DrivenWindow::TearDown() {
 
 void DrivenWindow::tap(const char* name) {
   ASSERT_TRUE(button(name) != nullptr) << name;
-  ASSERT_TRUE(QTest::qWaitFor([&] { return button(name)->isEnabled(); }, kPatience)) << name;
-  ASSERT_TRUE(button(name)->isVisible()) << name;
+  const auto canBe = [&] { return button(name)->isEnabled() && button(name)->isVisible(); };
+  ASSERT_TRUE(QTest::qWaitFor(canBe, kPatience)) << name;
   m_seen.clear();
   QTest::mouseClick(button(name), Qt::LeftButton);
 }
