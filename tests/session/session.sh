@@ -6,7 +6,7 @@ set -euo pipefail
 arris=$1 places=$2 folder=$3
 size=(1024 768)
 
-for tool in Xvfb openbox xdotool xwd xwdtopnm pnmtopng; do
+for tool in Xvfb openbox xdotool xwdtopnm pnmtopng; do
   command -v "$tool" >/dev/null || { echo "Skipped: $tool is missing (packaging/set-up.sh test)"; exit 77; }
 done
 
@@ -42,7 +42,7 @@ until_so() {
 
 picture() {
   sleep 0.5 # what has just happened is painted
-  xwd -silent -root | xwdtopnm 2>/dev/null | pnmtopng 2>/dev/null >"$folder/$1.png"
+  xwdtopnm "$work/Xvfb_screen0" 2>/dev/null | pnmtopng 2>/dev/null >"$folder/$1.png"
 }
 
 # point WINDOW PART.BUTTON: the mouse onto a button.
@@ -114,8 +114,8 @@ echo '{"arris_settings": 1, "language": "en"}' >"$state/settings.json"
 
 "$places" "${size[@]}" >"$work/places" 2>/dev/null
 
-# A display of its own.
-Xvfb -displayfd 3 -screen 0 1280x900x24 -dpi 96 -nolisten tcp 3>"$work/display" 2>/dev/null &
+# A display of its own, whose picture lies in a file.
+Xvfb -fbdir "$work" -displayfd 3 -screen 0 1280x900x24 -dpi 96 -nolisten tcp 3>"$work/display" 2>/dev/null &
 children+=($!)
 SECONDS=0
 until [ -s "$work/display" ]; do
