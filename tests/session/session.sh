@@ -12,7 +12,8 @@ done
 
 work=$(mktemp -d)
 state=$work/state
-mkdir -p -m 700 "$state" "$folder" "$work/runtime"
+mkdir -p "$state" "$folder"
+mkdir -m 700 "$work/runtime"
 export XDG_RUNTIME_DIR=$work/runtime
 rm -f "$folder"/*.png
 children=()

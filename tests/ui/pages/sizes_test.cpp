@@ -83,13 +83,25 @@ protected:
     }
   }
 
+  // What holds the window high.
+  std::string highest() {
+    std::string names;
+    for (const QWidget* part : m_window.findChildren<QWidget*>()) {
+      if (part->property("page").isValid() || part->parentWidget() == m_window.centralWidget()) {
+        names += part->property("page").toString().toStdString() + part->metaObject()->className() + ' ' +
+                 std::to_string(part->minimumSizeHint().height()) + ", ";
+      }
+    }
+    return names;
+  }
+
   void expectEveryPageShown(const std::string& state) {
     for (const QSize& screen : kScreens) {
       for (int turn = 0; turn < 2; ++turn) { // what is side by side holds the window wide until it stands below
         m_window.resize(screen);
         settle();
       }
-      ASSERT_EQ(m_window.size(), screen);
+      ASSERT_EQ(m_window.size(), screen) << state << ": the highest is " << highest();
       for (const PagePart& part : kPageParts) {
         expectShown(part, state);
       }
