@@ -99,6 +99,7 @@ QWidget* ByHandPanel::makeServices() {
   m_coolantOn = put(tr("Coolant on"), "coolantOn", 2, 0, [this] { m_machine.coolantByHand(true); });
   m_coolantOff = put(tr("Coolant off"), "coolantOff", 2, 1, [this] { m_machine.coolantByHand(false); });
   m_services->setObjectName(QStringLiteral("byHandServices"));
+  m_services->setWordWrap(true);
   m_services->setMinimumHeight(3 * fontMetrics().lineSpacing());
   grid->addWidget(m_services, 3, 0, 1, 2);
   return box;
@@ -135,6 +136,7 @@ void ByHandPanel::showAllowed() {
                             ? tr("Where the zero of the table lies in machine coordinates. Whether the job still fits "
                                  "into the travel is checked at once.")
                             : tr("The origin can be set when the axes are homed and at rest."));
+  showServices();
   m_spindleOn->setEnabled(allowed.byHand && m_speed->complaint().isEmpty());
   m_spindleOff->setEnabled(allowed.byHand);
   m_coolantOn->setEnabled(allowed.byHand);
@@ -151,12 +153,17 @@ void ByHandPanel::showAllowed() {
                               lengthText(job::heightsOf(job.recipe, job.machine).grinding, 3, locale)));
 }
 
+// What is wrong with the typed speed goes first: it is being typed.
+void ByHandPanel::showServices() {
+  m_services->setText(m_speed->complaint().isEmpty() ? servicesText(m_machine.report()) : m_speed->complaint());
+}
+
 void ByHandPanel::showReport() {
   if (!isVisible()) {
     return;
   }
   const control::Report& report = m_machine.report();
-  m_services->setText(servicesText(report));
+  showServices();
   if (report.origin == m_shown) {
     return;
   }

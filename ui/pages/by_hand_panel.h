@@ -25,6 +25,7 @@ private:
   void setOriginHere(int axis);
   void setTypedOrigin();
   void showAllowed();
+  void showServices();
   void showReport();
 
   MachineLink& m_machine;

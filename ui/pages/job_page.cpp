@@ -33,6 +33,7 @@ constexpr int kRecipeWidth = 236;
 constexpr int kFindingsWidth = 540;
 constexpr int kBesideFrom = 1500;   // px: from this width on the findings stand beside the drawing
 constexpr int kNarrowestPage = 900; // px, in the smallest window
+constexpr int kLowestPage = 624;    // px
 constexpr int kStateSignSize = 24;
 constexpr int kComplaintWidth = 520;
 constexpr int kComplaintMargin = 10;
@@ -323,10 +324,11 @@ void JobPage::arrange() {
   m_views->setSizes({5000, 5000});
 }
 
-// What stands side by side stands below each other in a narrower window.
+// What stands side by side stands below each other in a narrower window; while the page is hidden it is not arranged
+// anew, and must not hold the window large.
 QSize JobPage::minimumSizeHint() const {
   const QSize now = QWidget::minimumSizeHint();
-  return {std::min(now.width(), kNarrowestPage), now.height()};
+  return {std::min(now.width(), kNarrowestPage), std::min(now.height(), kLowestPage)};
 }
 
 void JobPage::showComplaint(const QString& complaint) {

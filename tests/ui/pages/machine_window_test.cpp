@@ -1,6 +1,7 @@
 // The window with the simulated machine, driven as a person would.
 
 #include "tests/ui/support/artefacts.h"
+#include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/locales.h"
 #include "tests/ui/support/long_texts.h"
 #include "tests/ui/support/steps.h"
@@ -27,6 +28,8 @@ namespace {
 using control::JobState;
 using control::State;
 
+using test::DrivenWindow;
+
 MachineSetup setupOf(const test::Scratch& folder, control::Pace pace) {
   MachineSetup setup = test::fastMachine(folder);
   setup.pace = pace;
@@ -34,76 +37,9 @@ MachineSetup setupOf(const test::Scratch& folder, control::Pace pace) {
   return setup;
 }
 
-class MachineWindow : public testing::Test {
+class MachineWindow : public DrivenWindow {
 protected:
-  MachineWindow() : MachineWindow(control::Pace::Simulated) {}
-
-  explicit MachineWindow(control::Pace pace) : m_window(setupOf(m_scratch, pace), test::paneSteps()) {
-    QObject::connect(&m_window.machine(), &MachineLink::changed, &m_window,
-                     [this] { m_seen.insert(m_window.machine().report().state); });
-    m_window.resize(1024, 700);
-    m_window.show();
-  }
-
-  QPushButton* button(const char* name) {
-    return m_window.findChild<QPushButton*>(QString::fromLatin1(name));
-  }
-
-  void tap(const char* name) {
-    ASSERT_TRUE(button(name) != nullptr) << name;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return button(name)->isEnabled(); }, test::kPatience)) << name;
-    ASSERT_TRUE(button(name)->isVisible()) << name;
-    m_seen.clear();
-    QTest::mouseClick(button(name), Qt::LeftButton);
-  }
-
-  void holdDown(const char* name) {
-    ASSERT_TRUE(QTest::qWaitFor([&] { return button(name)->isEnabled(); }, test::kPatience)) << name;
-    QTest::mousePress(button(name), Qt::LeftButton);
-    QTest::qWait(HoldButton::kHoldFor + 200);
-    QTest::mouseRelease(button(name), Qt::LeftButton);
-  }
-
-  // Now or at some time since the last tap: in fast time states pass quickly.
-  bool becomes(State state) {
-    const auto isSo = [&] { return m_window.machine().report().state == state || m_seen.contains(state); };
-    return QTest::qWaitFor(isSo, test::kPatience);
-  }
-
-  bool becomes(JobState state) {
-    return QTest::qWaitFor([&] { return m_window.machine().jobState() == state; }, test::kPatience);
-  }
-
-  QString label(const char* name) {
-    return m_window.findChild<QLabel*>(QString::fromLatin1(name))->text();
-  }
-
-  void keep(const char* name) {
-    QTest::qWait(20);
-    test::keep(name, m_window);
-  }
-
-  // From an empty program to a job that can be started.
-  void getReady() {
-    m_window.openPattern("triangle.dxf");
-    tap("pageSetup");
-    tap("enable");
-    tap("home");
-    ASSERT_TRUE(becomes(State::Idle));
-    tap("pageRun");
-    tap("loadJob");
-  }
-
-  // Slowly, so that the run is met in its middle.
-  void getOntoGlass() {
-    m_window.machine().setOverride(0.1);
-    holdDown("cycleStart");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return m_window.machine().report().place.segment >= 4; }, test::kPatience));
-  }
-
-  test::Scratch m_scratch;
-  MainWindow m_window;
-  std::set<State> m_seen;
+  using DrivenWindow::DrivenWindow;
 };
 
 TEST_F(MachineWindow, TakesANewcomerFromAnEmptyProgramToTheSecondPane) {
