@@ -2030,6 +2030,18 @@ Vakuum: %3</translation>
         <source>%1 of %2 panes good</source>
         <translation>%1 von %2 Scheiben gut</translation>
     </message>
+    <message>
+        <source>Simulated axes</source>
+        <translation>Simulierte Achsen</translation>
+    </message>
+    <message>
+        <source>LinuxCNC: no axes</source>
+        <translation>LinuxCNC: keine Achsen</translation>
+    </message>
+    <message>
+        <source>Axes through LinuxCNC</source>
+        <translation>Achsen über LinuxCNC</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::AlarmHistory</name>
@@ -3962,6 +3974,18 @@ Restzeit: %2</translation>
         <source>Locked: enter the code to change the machine.</source>
         <translation>Gesperrt: Code eingeben, um die Maschine zu ändern.</translation>
     </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>Simuliert</translation>
+    </message>
+    <message>
+        <source>LinuxCNC</source>
+        <translation>LinuxCNC</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::SetupPage</name>
@@ -4080,6 +4104,10 @@ Restzeit: %2</translation>
     <message>
         <source>Each press moves an axis by %1 mm.</source>
         <translation>Jeder Druck bewegt eine Achse um %1 mm.</translation>
+    </message>
+    <message>
+        <source>Nothing can be moved: %1</source>
+        <translation>Nichts lässt sich bewegen: %1</translation>
     </message>
 </context>
 <context>

@@ -2030,6 +2030,18 @@ Vuoto: %3</translation>
         <source>%1 of %2 panes good</source>
         <translation>Lastre buone: %1 di %2</translation>
     </message>
+    <message>
+        <source>Simulated axes</source>
+        <translation>Assi simulati</translation>
+    </message>
+    <message>
+        <source>LinuxCNC: no axes</source>
+        <translation>LinuxCNC: nessun asse</translation>
+    </message>
+    <message>
+        <source>Axes through LinuxCNC</source>
+        <translation>Assi tramite LinuxCNC</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::AlarmHistory</name>
@@ -3962,6 +3974,18 @@ Tempo residuo: %2</translation>
         <source>Locked: enter the code to change the machine.</source>
         <translation>Bloccato: inserire il codice per modificare la macchina.</translation>
     </message>
+    <message>
+        <source>Axes</source>
+        <translation>Assi</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>Simulati</translation>
+    </message>
+    <message>
+        <source>LinuxCNC</source>
+        <translation>LinuxCNC</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::SetupPage</name>
@@ -4080,6 +4104,10 @@ Tempo residuo: %2</translation>
     <message>
         <source>Each press moves an axis by %1 mm.</source>
         <translation>Ogni pressione muove un asse di %1 mm.</translation>
+    </message>
+    <message>
+        <source>Nothing can be moved: %1</source>
+        <translation>Non si può muovere nulla: %1</translation>
     </message>
 </context>
 <context>

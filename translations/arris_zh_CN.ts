@@ -2030,6 +2030,18 @@ Vacuum: %3</source>
         <source>%1 of %2 panes good</source>
         <translation>合格 %1 片，共 %2 片</translation>
     </message>
+    <message>
+        <source>Simulated axes</source>
+        <translation>仿真轴</translation>
+    </message>
+    <message>
+        <source>LinuxCNC: no axes</source>
+        <translation>LinuxCNC：无轴</translation>
+    </message>
+    <message>
+        <source>Axes through LinuxCNC</source>
+        <translation>通过 LinuxCNC 的轴</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::AlarmHistory</name>
@@ -3962,6 +3974,18 @@ Time left: %2</source>
         <source>Locked: enter the code to change the machine.</source>
         <translation>已锁定：输入密码后方可更改机床参数。</translation>
     </message>
+    <message>
+        <source>Axes</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>仿真</translation>
+    </message>
+    <message>
+        <source>LinuxCNC</source>
+        <translation>LinuxCNC</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::SetupPage</name>
@@ -4080,6 +4104,10 @@ Time left: %2</source>
     <message>
         <source>Each press moves an axis by %1 mm.</source>
         <translation>每按一次，轴移动 %1 mm。</translation>
+    </message>
+    <message>
+        <source>Nothing can be moved: %1</source>
+        <translation>无法移动：%1</translation>
     </message>
 </context>
 <context>
