@@ -1,6 +1,8 @@
 #include "ui/widgets/control_strip.h"
 
+#include <QApplication>
 #include <QButtonGroup>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -8,6 +10,10 @@ namespace arris::ui {
 namespace {
 
 constexpr int kStripSpacing = 6; // px
+
+bool isOn(const QPushButton& button, const QPoint& place) {
+  return button.isEnabled() && button.rect().contains(button.mapFromGlobal(place));
+}
 
 } // namespace
 
@@ -29,6 +35,7 @@ ControlStrip::ControlStrip(MachineLink& machine, QWidget* parent)
   connect(m_stop, &QPushButton::pressed, &machine, &MachineLink::stop);
   connect(&machine, &MachineLink::changed, this, &ControlStrip::enableStops);
   enableStops();
+  qApp->installEventFilter(this);
 }
 
 QPushButton* ControlStrip::addStop(const QString& text, const QString& name) {
@@ -62,6 +69,25 @@ void ControlStrip::enableStops() {
   const Allowed allowed = m_machine.allowed();
   m_hold->setEnabled(allowed.hold);
   m_stop->setEnabled(allowed.stop);
+}
+
+// A list that is open takes every press and key for itself: the first press on STOP would only close it.
+bool ControlStrip::eventFilter(QObject* watched, QEvent* event) {
+  if (QApplication::activePopupWidget() != nullptr) {
+    stopBesidePopup(*event);
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void ControlStrip::stopBesidePopup(const QEvent& event) {
+  const bool isPress = event.type() == QEvent::MouseButtonPress;
+  const int key = event.type() == QEvent::KeyPress ? static_cast<const QKeyEvent&>(event).key() : 0;
+  const QPoint place = isPress ? static_cast<const QMouseEvent&>(event).globalPosition().toPoint() : QPoint();
+  if (key == Qt::Key_F12 || (isPress && isOn(*m_stop, place))) {
+    m_machine.stop();
+  } else if (key == Qt::Key_F11 || (isPress && isOn(*m_hold, place))) {
+    m_machine.hold();
+  }
 }
 
 } // namespace arris::ui

@@ -26,6 +26,9 @@ public:
   /// Only FEED HOLD and STOP answer while it is locked.
   void setLocked(bool locked);
 
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 Q_SIGNALS:
   void pageChosen(int page);
   void lockRequested(); ///< of the screen, to wipe it
@@ -33,6 +36,7 @@ Q_SIGNALS:
 private:
   QPushButton* addStop(const QString& text, const QString& name);
   void enableStops();
+  void stopBesidePopup(const QEvent& event);
 
   MachineLink& m_machine;
   QVBoxLayout* m_layout;
