@@ -158,9 +158,11 @@ void OrderPanel::showState() {
   const OrderBook& order = m_machine.order();
   const PlanPointer& plan = m_planner.plan();
   m_hint->setText(hint());
+  const bool isDone = order.isComplete() && order.open() == OrderBook::Open::None;
+  const int pane = isDone ? std::min(order.pane(), order.toGrind()) : order.pane();
   m_counts->setText(tr("Pane %1 of %2: %3 good, %4 rejected")
-                        .arg(order.pane())
-                        .arg(std::max(order.toGrind(), order.pane()))
+                        .arg(pane)
+                        .arg(std::max(order.toGrind(), pane))
                         .arg(order.good())
                         .arg(order.rejects()));
   m_good->setEnabled(allowed.judge && order.open() == OrderBook::Open::Ended);

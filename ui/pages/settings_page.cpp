@@ -94,6 +94,7 @@ void SettingsPage::addChoice(QGridLayout& grid, const QString& what,
 
 QComboBox* SettingsPage::makeLanguages() {
   auto* languages = new QComboBox;
+  makeTouchable(*languages);
   languages->setObjectName(QStringLiteral("language"));
   languages->setAccessibleName(tr("Language"));
   languages->addItem(tr("That of the system"), QString());
@@ -110,6 +111,7 @@ QComboBox* SettingsPage::makeLanguages() {
 
 QComboBox* SettingsPage::makeScales() {
   auto* scales = new QComboBox;
+  makeTouchable(*scales);
   scales->setObjectName(QStringLiteral("scale"));
   scales->setAccessibleName(tr("Scale"));
   const int now = m_preferences.settings().scale;

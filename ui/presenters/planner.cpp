@@ -3,15 +3,29 @@
 #include "core/files/file_hash.h"
 #include "core/files/whole_file.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace arris::ui {
 namespace {
 
+// Why there is nothing at all to be seen of a drawing; null where there is something.
+const base::Problem* emptiness(const pattern::Pattern& pattern) {
+  const auto error = std::find_if(pattern.problems.begin(), pattern.problems.end(), [](const base::Problem& problem) {
+    return base::severityOf(problem) == base::Severity::Error;
+  });
+  const bool isEmpty = pattern.contours.empty() && pattern.loose.empty() && error != pattern.problems.end();
+  return isEmpty ? &*error : nullptr;
+}
+
 base::Expected<Import> readPattern(const std::filesystem::path& file, const pattern::ImportOptions& options,
                                    const base::Monitor& monitor) {
-  return files::readFile(file).map([&](const std::string& text) {
-    return Import{file, options, pattern::readDxf(text, options, monitor), files::fileHash(text)};
+  return files::readFile(file).and_then([&](const std::string& text) -> base::Expected<Import> {
+    Import import{file, options, pattern::readDxf(text, options, monitor), files::fileHash(text)};
+    if (const base::Problem* error = emptiness(import.pattern)) {
+      return base::Unexpected(*error);
+    }
+    return import;
   });
 }
 

@@ -1,5 +1,7 @@
 #include "ui/widgets/choice_edit.h"
 
+#include "ui/widgets/touch_table.h"
+
 #include <QComboBox>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -11,6 +13,7 @@ ChoiceEdit::ChoiceEdit(const QString& name, const QString& caption, const QStrin
   auto* label = new QLabel(caption);
   label->setWordWrap(true);
   label->setBuddy(m_choices);
+  makeTouchable(*m_choices);
   m_choices->setObjectName(name);
   m_choices->setAccessibleName(caption);
   m_choices->addItems(choices);

@@ -118,6 +118,7 @@ QComboBox {
 QComboBox:focus { border: 3px solid @strong; }
 QComboBox::drop-down { width: 34px; border: none; }
 QComboBox::down-arrow { image: url(:/signs/@down.svg); width: 20px; }
+QComboBox QAbstractItemView { selection-background-color: @chosen; selection-color: @chosenText; }
 QComboBox QAbstractItemView::item { min-height: 44px; }
 QFrame#keypad, QFrame#panel { border: 2px solid @line; border-radius: 6px; background: @alternate; }
 QWidget#cover { background: @strip; }

@@ -2,14 +2,21 @@
 
 #include "ui/widgets/theme.h"
 
+#include <QComboBox>
 #include <QHeaderView>
 #include <QScroller>
+#include <QStyledItemDelegate>
 #include <QTableView>
 
 namespace arris::ui {
 
 void makeTouchable(QAbstractScrollArea& area) {
   QScroller::grabGesture(area.viewport(), QScroller::TouchGesture);
+}
+
+// The delegate that a box has of its own does not ask the style sheet.
+void makeTouchable(QComboBox& box) {
+  box.setItemDelegate(new QStyledItemDelegate(&box));
 }
 
 void makeTouchTable(QTableView& table) {

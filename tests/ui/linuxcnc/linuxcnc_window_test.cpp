@@ -23,7 +23,7 @@ using Axes = files::Settings::Axes;
 
 PlannerSteps smallPaneSteps() {
   PlannerSteps steps = plannerSteps();
-  steps.read = [](const std::filesystem::path& file, const pattern::ImportOptions& options) {
+  steps.read = [](const std::filesystem::path& file, const pattern::ImportOptions& options, const base::Monitor&) {
     return base::Expected<Import>(Import{file, options, test::isosceles(70, 150), "0123456789abcdef"});
   };
   return steps;

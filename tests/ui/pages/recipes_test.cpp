@@ -314,7 +314,7 @@ TEST_P(TranslatedRecipes, ShowEverythingOnTheSmallestScreen) {
     tap("moreOn");
   }
   openDialog();
-  saveAs("a rather long name of a recipe for float glass");
+  saveAs("a longer name, float glass");
   tap("recipeDelete");
   settle();
   test::expectNothingCutOff(*dialog());

@@ -294,7 +294,7 @@ TEST_F(OnTheShelf, CanReadEverySampleAndGrindTheFirstAsAProgramBegins) {
   }
   const auto first = plannerSteps().read(firstSample(m_state).value(), pattern::importOptions({}), {});
   ASSERT_TRUE(first);
-  EXPECT_TRUE(plannerSteps().plan(first->pattern, {}, {}).canBeGround());
+  EXPECT_TRUE(plannerSteps().plan(first->pattern, {}, {}, {}).canBeGround());
 }
 
 } // namespace
