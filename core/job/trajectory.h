@@ -41,8 +41,8 @@ public:
   /// The place nearest to a point; of several, the first. Plunges and retractions count with their ends.
   [[nodiscard]] Near nearest(const geometry::Point& point) const;
 
-  /// The same for a wheel that is dragged along its way from where it is at `time`: where following the way leads as near
-  /// to the point as anywhere else, but for `reach` (mm), it stays on it.
+  /// The same for a wheel that is dragged along its way from where it is at `time`: where following the way leads as
+  /// near to the point as anywhere else, but for `reach` (mm), it stays on it.
   [[nodiscard]] Near nearest(const geometry::Point& point, double time, double reach) const;
 
 private:

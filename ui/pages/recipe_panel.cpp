@@ -13,7 +13,7 @@
 namespace arris::ui {
 namespace {
 
-constexpr int kPanelGap = 4; // px
+constexpr int kRecipePanelGap = 4; // px
 constexpr int kNameHeight = 13;
 
 QString elidedTo(const QLabel& label, const QString& text) {
@@ -71,7 +71,7 @@ QWidget* RecipePanel::makeButtons() {
   auto* buttons = new QWidget;
   auto* row = new QHBoxLayout(buttons);
   row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(kPanelGap);
+  row->setSpacing(kRecipePanelGap);
   row->addWidget(m_open, 1);
   row->addWidget(m_recipes, 1);
   return buttons;
@@ -83,7 +83,7 @@ QWidget* RecipePanel::makeNames() {
   auto* names = new QWidget;
   auto* row = new QHBoxLayout(names);
   row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(kPanelGap);
+  row->setSpacing(kRecipePanelGap);
   auto* column = new QVBoxLayout;
   column->setSpacing(0);
   QFont small = font();
@@ -114,7 +114,7 @@ QWidget* RecipePanel::makeMore() {
   m_more = new QWidget;
   auto* row = new QHBoxLayout(m_more);
   row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(kPanelGap);
+  row->setSpacing(kRecipePanelGap);
   const auto addTurn = [&](const QString& sign, const QString& name, const QString& what, int pages) {
     QPushButton* button = makeStep(sign, name, what, {});
     connect(button, &QPushButton::clicked, this, [this, pages] { turn(pages); });

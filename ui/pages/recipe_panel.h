@@ -42,7 +42,7 @@ private:
   QWidget* makeNames();
   QWidget* makePages();
   QWidget* makeMore();
-  QPushButton* makeStep(const QString& sign, const QString& name, const QString& what, const QKeySequence& key);
+  static QPushButton* makeStep(const QString& sign, const QString& name, const QString& what, const QKeySequence& key);
   void showPage(int page);
   void turn(int pages);
   void undo();

@@ -110,7 +110,7 @@ base::Problems RecipeBook::importFile(const std::filesystem::path& file, const Q
   return read.problems;
 }
 
-base::Problems RecipeBook::exportTo(const std::filesystem::path& file, const QString& name) {
+base::Problems RecipeBook::exportTo(const std::filesystem::path& file, const QString& name) const {
   const files::NamedRecipe* found = find(name);
   return found != nullptr ? problemsOf(files::writeWholeFile(file, files::writeRecipe(found->recipe)))
                           : base::Problems();

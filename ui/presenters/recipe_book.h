@@ -38,7 +38,7 @@ public:
   base::Problems save(const QString& name); ///< the recipe in effect, over an earlier one of this name
   base::Problems remove(const QString& name);
   base::Problems importFile(const std::filesystem::path& file, const QString& name); ///< kept, not put into effect
-  base::Problems exportTo(const std::filesystem::path& file, const QString& name);
+  [[nodiscard]] base::Problems exportTo(const std::filesystem::path& file, const QString& name) const;
 
   /// Reads the folder anew; what is damaged there is set aside and told.
   base::Problems refresh();

@@ -26,6 +26,7 @@ struct ChoiceTexts {
   QString caption;
   QStringList words;
 };
+
 [[nodiscard]] ChoiceTexts choiceTexts(const recipe::ChoiceField& field);
 
 /// The English names of the fields as the translators get them; core's table has no others.

@@ -15,7 +15,7 @@ constexpr double kPlaceFraction = 1000; // of a mm
 } // namespace
 
 PlaceEdit::PlaceEdit(const QString& name, const QString& caption, const QString& left, double farthest, QWidget* parent)
-    : QWidget(parent), m_left(new QCheckBox(left)), m_numbers{} {
+    : QWidget(parent), m_left(new QCheckBox(left)) {
   auto* label = new QLabel(caption);
   label->setWordWrap(true);
   m_left->setObjectName(name);

@@ -41,7 +41,7 @@ private:
   void tell();
 
   QCheckBox* m_left;
-  std::array<NumberEdit*, 2> m_numbers;
+  std::array<NumberEdit*, 2> m_numbers{};
 };
 
 } // namespace arris::ui

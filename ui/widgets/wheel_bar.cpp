@@ -25,9 +25,9 @@ QString elidedLines(const QLabel& label, const QString& text) {
 
 WheelBar::WheelBar(WheelWalk& walk, QWidget* parent)
     : QWidget(parent), m_walk(walk),
-      m_back(addStep(QStringLiteral("◀"), QStringLiteral("wheelBack"), tr("Wheel back along its path"))),
+      m_back(makeStep(QStringLiteral("◀"), QStringLiteral("wheelBack"), tr("Wheel back along its path"))),
       m_place(new QLabel),
-      m_on(addStep(QStringLiteral("▶"), QStringLiteral("wheelOn"), tr("Wheel on along its path"))) {
+      m_on(makeStep(QStringLiteral("▶"), QStringLiteral("wheelOn"), tr("Wheel on along its path"))) {
   m_place->setObjectName(QStringLiteral("wheelPlace"));
   m_place->setAlignment(Qt::AlignCenter);
   m_place->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // the text never pushes the window larger
@@ -44,7 +44,7 @@ WheelBar::WheelBar(WheelWalk& walk, QWidget* parent)
   showPlace();
 }
 
-QToolButton* WheelBar::addStep(const QString& text, const QString& name, const QString& what) {
+QToolButton* WheelBar::makeStep(const QString& text, const QString& name, const QString& what) {
   auto* button = new QToolButton;
   button->setText(text);
   button->setObjectName(name);

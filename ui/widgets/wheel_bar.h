@@ -20,7 +20,7 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private:
-  QToolButton* addStep(const QString& text, const QString& name, const QString& what);
+  static QToolButton* makeStep(const QString& text, const QString& name, const QString& what);
   void showPlace();
 
   WheelWalk& m_walk;

@@ -440,7 +440,7 @@ protected:
     }
     EXPECT_EQ(m_window.size(), QSize(1024, 700));
     test::expectNothingCutOff(m_window);
-    keep((name + "-" + GetParam()).c_str());
+    keep(name + "-" + GetParam());
   }
 };
 

@@ -63,7 +63,7 @@ protected:
 
   fs::path write(const char* name, const std::string& text) {
     fs::create_directories(m_scratch / "drawings");
-    const fs::path file = m_scratch / "drawings" / name;
+    fs::path file = m_scratch / "drawings" / name;
     EXPECT_TRUE(files::writeWholeFile(file, text));
     return file;
   }
@@ -77,7 +77,7 @@ protected:
   }
 
   fs::path writeTooLarge() {
-    const fs::path file = write("huge.dxf", "");
+    fs::path file = write("huge.dxf", "");
     fs::resize_file(file, files::kLargestFile + 1); // it takes no room
     return file;
   }

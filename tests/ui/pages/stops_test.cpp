@@ -199,13 +199,10 @@ protected:
 
   // As it is called in the languages of the window.
   static bool meansEmergencyStop(const QString& text) {
-    for (const char* words : {"emergency", "e-stop", "estop", "not-halt", "nothalt", "not-aus", "notaus", "emergenza",
-                              "急停", "紧急停止"}) {
-      if (text.contains(QString::fromUtf8(words), Qt::CaseInsensitive)) {
-        return true;
-      }
-    }
-    return false;
+    static const QStringList kWords{"emergency", "e-stop", "estop",     "not-halt", "nothalt",
+                                    "not-aus",   "notaus", "emergenza", "急停",     "紧急停止"};
+    return std::any_of(kWords.begin(), kWords.end(),
+                       [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
   }
 };
 

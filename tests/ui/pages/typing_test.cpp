@@ -34,7 +34,7 @@ protected:
   }
 
   // The complaint, where the page shows it in words.
-  QString shown(const NumberEdit& field) {
+  static QString shown(const NumberEdit& field) {
     for (const QLabel* label : pageOf(field)->findChildren<QLabel*>()) {
       if (!field.complaint().isEmpty() && label->text().contains(field.complaint())) {
         return label->text();
@@ -120,7 +120,7 @@ class TypingIn : public testing::WithParamInterface<std::string>, public test::L
 protected:
   TypingIn() : Language(GetParam()) {}
 
-  bool isGerman() const {
+  [[nodiscard]] static bool isGerman() {
     return GetParam() == "de";
   }
 };

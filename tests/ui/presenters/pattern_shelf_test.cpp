@@ -54,7 +54,7 @@ protected:
   }
 
   fs::path drawing(const char* name) {
-    const fs::path file = m_scratch / "drawings" / name;
+    fs::path file = m_scratch / "drawings" / name;
     makeEmpty(file);
     return file;
   }

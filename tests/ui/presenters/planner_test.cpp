@@ -192,7 +192,7 @@ struct SlowPlanning {
     return steps;
   }
 
-  bool begins(int times) const {
+  [[nodiscard]] bool begins(int times) const {
     return QTest::qWaitFor([&] { return begun == times; }, test::kPatience);
   }
 };
