@@ -3678,7 +3678,7 @@ mm/min</translation>
     </message>
     <message>
         <source>Unnamed recipe</source>
-        <translation>Rezept ohne Namen</translation>
+        <translation>Unbenannt</translation>
     </message>
     <message>
         <source>%1, changed</source>

@@ -3678,7 +3678,7 @@ mm/min</translation>
     </message>
     <message>
         <source>Unnamed recipe</source>
-        <translation>Ricetta senza nome</translation>
+        <translation>Senza nome</translation>
     </message>
     <message>
         <source>%1, changed</source>

@@ -274,6 +274,7 @@ void JobPage::showState() {
     m_state->setText(tr("Cannot be ground: see the problems."));
     sign = base::Severity::Error;
   }
+  m_stateSign->setVisible(sign.has_value());
   m_stateSign->setPixmap(sign ? signIcon(*sign).pixmap(kStateSignSize) : QPixmap());
 }
 
