@@ -49,6 +49,12 @@ PatternDialog::PatternDialog(PatternShelf& shelf, QWidget& place) : QDialog(&pla
   m_entries->setFocus();
 }
 
+// As it goes, the path loses the focus and would speak to what is no longer a dialog for patterns.
+PatternDialog::~PatternDialog() {
+  m_path->disconnect(this);
+  m_entries->disconnect(this);
+}
+
 QWidget* PatternDialog::makeLists() {
   auto* box = new QWidget;
   box->setFixedWidth(kListsWidth);

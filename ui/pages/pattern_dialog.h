@@ -20,6 +20,11 @@ class PatternDialog : public QDialog {
 
 public:
   PatternDialog(PatternShelf& shelf, QWidget& place);
+  ~PatternDialog() override;
+  PatternDialog(const PatternDialog&) = delete;
+  PatternDialog& operator=(const PatternDialog&) = delete;
+  PatternDialog(PatternDialog&&) = delete;
+  PatternDialog& operator=(PatternDialog&&) = delete;
 
 private:
   QWidget* makeLists();
