@@ -35,7 +35,7 @@ control::Pace paceOf(const HeadlessRun& run) {
 }
 
 base::Expected<std::unique_ptr<control::AxisDriver>> axesOf(const HeadlessRun& run, const recipe::Machine& machine) {
-  if (run.axes == "linuxcnc") {
+  if (run.axes == files::Axes::Linuxcnc) {
     return control::linuxcncAxes(machine, run.moduleFolders);
   }
   return std::make_unique<control::SimulatedAxes>(machine, paceOf(run),
@@ -47,7 +47,7 @@ class Machine {
 public:
   Machine(const HeadlessRun& run, const std::shared_ptr<const job::Job>& job, std::unique_ptr<control::AxisDriver> axes)
       : m_run(run), m_job(job),
-        m_keeper(run.folder, job, run.patternFile, run.patternHash, files::wallClock, run.panes),
+        m_keeper(run.folder, job, run.patternFile, run.patternHash, files::wallClock, run.axes, run.panes),
         m_simulated(dynamic_cast<control::SimulatedAxes*>(axes.get())),
         m_station(job->machine, std::move(axes), paceOf(run),
                   {[this](const control::Report& report) { hear(report); },

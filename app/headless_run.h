@@ -3,6 +3,7 @@
 #include "app/exit_status.h"
 #include "core/control/run_keeper.h"
 #include "core/control/simulated_axes.h"
+#include "core/files/axes.h"
 
 #include <memory>
 #include <optional>
@@ -22,7 +23,7 @@ struct HeadlessRun {
   files::StateFolder folder;
   std::string patternFile;
   std::string patternHash;
-  std::string axes;                                 ///< "simulated", "linuxcnc"
+  files::Axes axes = files::Axes::Simulated;
   std::vector<std::filesystem::path> moduleFolders; ///< where the module of LinuxCNC's axes may be
   bool isFast = false;
   double overrideFactor = 1;

@@ -91,9 +91,9 @@ OrStatus<std::vector<Injection>> injectionsOf(const std::vector<std::string>& te
   return result;
 }
 
-/// Where the job of this pattern was broken off.
-OrStatus<files::ResumePoint> resumePoint(const files::StateFolder& folder, const std::string& patternHash) {
-  control::FoundJob found = control::findBrokenJob(folder);
+/// Where the job of the run's pattern was broken off on its axes.
+OrStatus<files::ResumePoint> resumePoint(const HeadlessRun& run) {
+  control::FoundJob found = control::findBrokenJob(run.folder);
   if (const ExitStatus status = tellAndJudge(found.problems); status != ExitStatus::Done) {
     return tl::unexpected(status);
   }
@@ -101,9 +101,12 @@ OrStatus<files::ResumePoint> resumePoint(const files::StateFolder& folder, const
     complain("there is no job to resume");
     return tl::unexpected(ExitStatus::SystemFailure);
   }
-  if (const auto problem = control::checkPattern(found.job->point, patternHash)) {
-    tell({&*problem, 1});
-    return tl::unexpected(ExitStatus::WrongUsage);
+  for (const auto& problem :
+       {control::checkPattern(found.job->point, run.patternHash), control::checkAxes(found.job->point, run.axes)}) {
+    if (problem) {
+      tell({&*problem, 1});
+      return tl::unexpected(ExitStatus::WrongUsage);
+    }
   }
   return std::move(found.job->point);
 }
@@ -143,7 +146,7 @@ ExitStatus runJob(const Arguments& arguments) {
   run.folder = {runRequest.stateFolder.empty() ? defaultStateFolder() : runRequest.stateFolder};
   run.patternFile = request.pattern.string();
   run.patternHash = files::fileHash(*bytes);
-  run.axes = runRequest.axes;
+  run.axes = runRequest.axes == "linuxcnc" ? files::Axes::Linuxcnc : files::Axes::Simulated;
   run.moduleFolders = moduleFolders();
   run.isFast = runRequest.speed == "fast";
   run.overrideFactor = runRequest.overridePercent / 100;
@@ -151,7 +154,7 @@ ExitStatus runJob(const Arguments& arguments) {
   run.panes.ordered = runRequest.count;
   std::optional<files::ResumePoint> resumed;
   if (runRequest.resumes) {
-    const auto point = resumePoint(run.folder, run.patternHash);
+    const auto point = resumePoint(run);
     if (!point) {
       return point.error();
     }

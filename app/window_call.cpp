@@ -34,8 +34,8 @@ void endOnFatal(QtMsgType type, const QMessageLogContext&, const QString&) {
   }
 }
 
-std::optional<files::Settings::Axes> axesNamed(const std::string& word) {
-  using Axes = files::Settings::Axes;
+std::optional<files::Axes> axesNamed(const std::string& word) {
+  using Axes = files::Axes;
   return word.empty() ? std::nullopt : std::optional(word == "linuxcnc" ? Axes::Linuxcnc : Axes::Simulated);
 }
 

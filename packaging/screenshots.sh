@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Pictures of every page in every language, light and dark, at 1024x768 and 1920x1080, in the states empty, loaded,
-# running, held and fault: build/screenshots/LANGUAGE-APPEARANCE-WIDTH/PAGE-STATE.png
+# running, held and fault, and of the parts of the pages and the dialogs with a job loaded:
+# build/screenshots/LANGUAGE-APPEARANCE-WIDTH/PAGE-STATE.png, PAGE-PART.png
 # packaging/screenshots.sh [LANGUAGE...]
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

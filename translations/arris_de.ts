@@ -95,20 +95,12 @@
         <translation>Ein Kabel ist gebrochen oder lose, oder der Geber ist verschmutzt.</translation>
     </message>
     <message>
-        <source>Mend the encoder or its cable, acknowledge, home again.</source>
-        <translation>Geber oder Kabel instand setzen, quittieren, neu referenzieren.</translation>
-    </message>
-    <message>
         <source>The axes report nothing any more.</source>
         <translation>Die Achsen melden nichts mehr.</translation>
     </message>
     <message>
         <source>The connection to the drives is broken.</source>
         <translation>Die Verbindung zu den Antrieben ist unterbrochen.</translation>
-    </message>
-    <message>
-        <source>Mend the connection, acknowledge, home again.</source>
-        <translation>Verbindung wiederherstellen, quittieren, neu referenzieren.</translation>
     </message>
     <message>
         <source>A set-point of {axis} was no number, or jumped by {value} mm/s² more than the axis can follow.</source>
@@ -143,20 +135,12 @@
         <translation>Überlast, Übertemperatur oder Störung der Versorgung.</translation>
     </message>
     <message>
-        <source>Read the drive&apos;s own display, mend it, acknowledge.</source>
-        <translation>Anzeige am Antrieb ablesen, Störung beheben, quittieren.</translation>
-    </message>
-    <message>
         <source>The drive of {axis} is not ready.</source>
         <translation>{axis}: Der Antrieb ist nicht bereit.</translation>
     </message>
     <message>
         <source>Its supply is off, or a safety circuit is open.</source>
         <translation>Die Versorgung ist aus oder ein Sicherheitskreis ist offen.</translation>
-    </message>
-    <message>
-        <source>Switch the drive&apos;s supply on, acknowledge.</source>
-        <translation>Versorgung des Antriebs einschalten, quittieren.</translation>
     </message>
     <message>
         <source>{axis} has hit a limit switch.</source>
@@ -255,10 +239,6 @@
         <translation>Der Tank ist leer, oder die Pumpe oder ein Filter ist verstopft.</translation>
     </message>
     <message>
-        <source>Mend the coolant, acknowledge, resume the job.</source>
-        <translation>Kühlmittelzufuhr instand setzen, quittieren, Auftrag fortsetzen.</translation>
-    </message>
-    <message>
         <source>The vacuum does not hold the glass.</source>
         <translation>Das Vakuum hält das Glas nicht.</translation>
     </message>
@@ -313,6 +293,26 @@
     <message>
         <source>%1 periods</source>
         <translation>%1 Takte</translation>
+    </message>
+    <message>
+        <source>Repair the encoder or its cable, acknowledge, home again.</source>
+        <translation>Geber oder Kabel instand setzen, quittieren, neu referenzieren.</translation>
+    </message>
+    <message>
+        <source>Restore the connection, acknowledge, home again.</source>
+        <translation>Verbindung wiederherstellen, quittieren, neu referenzieren.</translation>
+    </message>
+    <message>
+        <source>Read the drive&apos;s display, clear its fault, acknowledge.</source>
+        <translation>Anzeige am Antrieb ablesen, Störung beheben, quittieren.</translation>
+    </message>
+    <message>
+        <source>Switch its supply on, close the safety circuit, acknowledge.</source>
+        <translation>Versorgung einschalten, Sicherheitskreis schließen, quittieren.</translation>
+    </message>
+    <message>
+        <source>Restore the coolant, acknowledge, resume the job.</source>
+        <translation>Kühlmittel wiederherstellen, quittieren, Auftrag fortsetzen.</translation>
     </message>
 </context>
 <context>
@@ -566,7 +566,7 @@
     </message>
     <message>
         <source>Initialized</source>
-        <translation>Vorbereitet</translation>
+        <translation>Geladen</translation>
     </message>
     <message>
         <source>Running</source>
@@ -2000,10 +2000,6 @@ Vakuum: %3</translation>
         <translation>%1, Ecke %2</translation>
     </message>
     <message>
-        <source>X %1  Y %2  Z %3 mm</source>
-        <translation>X %1  Y %2  Z %3 mm</translation>
-    </message>
-    <message>
         <source>%1 s of %2</source>
         <translation>%1 s von %2</translation>
     </message>
@@ -2014,6 +2010,10 @@ Vakuum: %3</translation>
     <message>
         <source>%1 mm to the corner</source>
         <translation>%1 mm zur Ecke</translation>
+    </message>
+    <message>
+        <source>Planned: X %1  Y %2  Z %3 mm</source>
+        <translation>Geplant: X %1  Y %2  Z %3 mm</translation>
     </message>
 </context>
 <context>
@@ -2041,6 +2041,10 @@ Vakuum: %3</translation>
     <message>
         <source>Axes through LinuxCNC</source>
         <translation>Achsen über LinuxCNC</translation>
+    </message>
+    <message>
+        <source> (+%1 on the page Alarms)</source>
+        <translation> (+%1 auf der Seite „Alarme“)</translation>
     </message>
 </context>
 <context>
@@ -2089,7 +2093,7 @@ Vakuum: %3</translation>
     </message>
     <message>
         <source>Active</source>
-        <translation>Aktiv</translation>
+        <translation>Aktive</translation>
     </message>
     <message>
         <source>Tap an alarm to read its cause and what to do.</source>
@@ -2309,11 +2313,11 @@ quittiert</translation>
     </message>
     <message>
         <source>Coolant on</source>
-        <translation>Kühlung ein</translation>
+        <translation>Kühlmittel ein</translation>
     </message>
     <message>
         <source>Coolant off</source>
-        <translation>Kühlung aus</translation>
+        <translation>Kühlmittel aus</translation>
     </message>
     <message>
         <source>A pane was broken off: its origin stays until it has been ground or given up.</source>
@@ -2386,8 +2390,8 @@ HALT</translation>
         <translation>Übergang a, t&lt;sub&gt;m&lt;/sub&gt;</translation>
     </message>
     <message>
-        <source>%1 mm/s², %2 s</source>
-        <translation>%1 mm/s², %2 s</translation>
+        <source>%1 mm/s²; %2 s</source>
+        <translation>%1 mm/s²; %2 s</translation>
     </message>
     <message>
         <source>Widest, leg ℓ</source>
@@ -2398,12 +2402,12 @@ HALT</translation>
         <translation>Freigang</translation>
     </message>
     <message>
-        <source>yes: lifts %1, needs %2 mm</source>
-        <translation>ja: hebt %1, nötig %2 mm</translation>
+        <source>yes: lifts %1; needs %2 mm</source>
+        <translation>ja: hebt %1; nötig %2 mm</translation>
     </message>
     <message>
-        <source>no: lifts %1, needs %2 mm</source>
-        <translation>nein: hebt %1, nötig %2 mm</translation>
+        <source>no: lifts %1; needs %2 mm</source>
+        <translation>nein: hebt %1; nötig %2 mm</translation>
     </message>
     <message>
         <source>Radius of the roll</source>
@@ -2418,16 +2422,16 @@ HALT</translation>
         <translation>Geplant</translation>
     </message>
     <message>
-        <source>%1 mm/s, %2 s</source>
-        <translation>%1 mm/s, %2 s</translation>
+        <source>%1 mm/s; %2 s</source>
+        <translation>%1 mm/s; %2 s</translation>
     </message>
     <message>
         <source>Slowing L&lt;sub&gt;d&lt;/sub&gt;, L&lt;sub&gt;a&lt;/sub&gt;</source>
         <translation>Rampen L&lt;sub&gt;d&lt;/sub&gt;, L&lt;sub&gt;a&lt;/sub&gt;</translation>
     </message>
     <message>
-        <source>%1, %2 mm</source>
-        <translation>%1, %2 mm</translation>
+        <source>%1; %2 mm</source>
+        <translation>%1; %2 mm</translation>
     </message>
     <message>
         <source>(contour %1)</source>
@@ -2761,10 +2765,6 @@ mm</translation>
 <context>
     <name>arris::ui::FindingsPanel</name>
     <message>
-        <source>Corner</source>
-        <translation>Ecke</translation>
-    </message>
-    <message>
         <source>Corners</source>
         <translation>Ecken</translation>
     </message>
@@ -2779,6 +2779,10 @@ mm</translation>
     <message>
         <source>Problems (%1)</source>
         <translation>Probleme (%1)</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
     </message>
 </context>
 <context>
@@ -2837,12 +2841,6 @@ mm</translation>
         <translation>Kein Muster geöffnet.</translation>
     </message>
     <message>
-        <source>Grinding: %1
-Whole program: %2</source>
-        <translation>Schleifen: %1
-Programm: %2</translation>
-    </message>
-    <message>
         <source>Cannot be ground: see the problems.</source>
         <translation>Nicht schleifbar: siehe Probleme.</translation>
     </message>
@@ -2861,6 +2859,12 @@ Zum Planen: Wert ändern.</translation>
 To plan: change a value.</source>
         <translation>Abgebrochen: Werte von vorher.
 Zum Planen: Wert ändern.</translation>
+    </message>
+    <message>
+        <source>Grinding: %1
+Program: %2</source>
+        <translation>Schleifen: %1
+Programm: %2</translation>
     </message>
 </context>
 <context>
@@ -2979,10 +2983,6 @@ Zum Planen: Wert ändern.</translation>
         <translation>Mehr Scheiben</translation>
     </message>
     <message>
-        <source>Order</source>
-        <translation>Serie</translation>
-    </message>
-    <message>
         <source>Grind the next pane smaller</source>
         <translation>Nächste Scheibe kleiner schleifen</translation>
     </message>
@@ -3011,16 +3011,8 @@ Zum Planen: Wert ändern.</translation>
         <translation>Auftrag laden</translation>
     </message>
     <message>
-        <source>Pane %1 was broken off: cycle start goes on with it. “Reject”, or loading a job, gives it up.</source>
-        <translation>Scheibe %1 wurde abgebrochen: Der Zyklusstart setzt sie fort. „Ausschuss“ oder das Laden eines Auftrags gibt sie auf.</translation>
-    </message>
-    <message>
         <source>The pane is interrupted: resume it, or stop it, before a job is loaded.</source>
         <translation>Die Scheibe ist unterbrochen: fortsetzen oder stoppen, bevor ein Auftrag geladen wird.</translation>
-    </message>
-    <message>
-        <source>What is planned on the page Job cannot be ground: nothing can be loaded before that is mended.</source>
-        <translation>Was auf der Seite „Auftrag“ geplant ist, ist nicht schleifbar: Erst wenn das behoben ist, kann geladen werden.</translation>
     </message>
     <message>
         <source>Values have changed; this pane stays as it was loaded. After it load the job for the next pane.</source>
@@ -3045,6 +3037,18 @@ Zum Planen: Wert ändern.</translation>
     <message>
         <source>The page Job shows other values than it has: nothing can be loaded before they are planned.</source>
         <translation>Die Seite „Auftrag“ zeigt andere Werte als die geplanten: Erst wenn sie geplant sind, kann geladen werden.</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>Scheiben</translation>
+    </message>
+    <message>
+        <source>Pane %1 was broken off: after the alarm is acknowledged, CYCLE START goes on with it. “Reject”, or loading a job, gives it up.</source>
+        <translation>Scheibe %1 wurde abgebrochen: ZYKLUSSTART setzt sie fort, sobald ein Alarm quittiert ist. Mit „Ausschuss“ oder „Auftrag laden“ wird sie verworfen.</translation>
+    </message>
+    <message>
+        <source>What is planned on the page Job cannot be ground: nothing can be loaded before that is put right.</source>
+        <translation>Was auf der Seite „Auftrag“ geplant ist, kann nicht geschliffen werden: Vorher ist nichts zu laden.</translation>
     </message>
 </context>
 <context>
@@ -3150,7 +3154,7 @@ Zum Planen: Wert ändern.</translation>
     <name>arris::ui::ProfilePlot</name>
     <message>
         <source>time, s</source>
-        <translation>Zeit, s</translation>
+        <translation>Zeit in s</translation>
     </message>
     <message>
         <source>X velocity
@@ -3439,8 +3443,8 @@ mm</translation>
 <context>
     <name>arris::ui::RecipeBook</name>
     <message>
-        <source>%1, wheel %2</source>
-        <translation>%1, Schleifscheibe %2</translation>
+        <source>%1, wheel R %2</source>
+        <translation>%1, Schleifscheibe R %2</translation>
     </message>
 </context>
 <context>
@@ -3459,11 +3463,11 @@ mm</translation>
     </message>
     <message>
         <source>Import…</source>
-        <translation>Import…</translation>
+        <translation>Importieren…</translation>
     </message>
     <message>
         <source>Export…</source>
-        <translation>Export…</translation>
+        <translation>Exportieren…</translation>
     </message>
     <message>
         <source>Save</source>
@@ -3536,6 +3540,14 @@ mm</translation>
     <message>
         <source>“%1” is written to %2.</source>
         <translation>„%1“ ist in %2 gespeichert.</translation>
+    </message>
+    <message>
+        <source>No recipe has been saved yet.</source>
+        <translation>Es ist noch kein Rezept gespeichert.</translation>
+    </message>
+    <message>
+        <source>No recipe is for this thickness of glass.</source>
+        <translation>Für diese Glasdicke gibt es kein Rezept.</translation>
     </message>
 </context>
 <context>
@@ -3678,7 +3690,7 @@ mm/min</translation>
     </message>
     <message>
         <source>Unnamed recipe</source>
-        <translation>Unbenannt</translation>
+        <translation>Ohne Rezeptnamen</translation>
     </message>
     <message>
         <source>%1, changed</source>
@@ -3689,7 +3701,7 @@ mm/min</translation>
     <name>arris::ui::ReliefPlot</name>
     <message>
         <source>time from A, s</source>
-        <translation>Zeit ab A, s</translation>
+        <translation>Zeit ab A in s</translation>
     </message>
     <message>
         <source>distance L, mm</source>
@@ -3776,10 +3788,6 @@ mm/min</translation>
 <context>
     <name>arris::ui::RunPage</name>
     <message>
-        <source>CYCLE START</source>
-        <translation>ZYKLUSSTART</translation>
-    </message>
-    <message>
         <source>Progress</source>
         <translation>Fortschritt</translation>
     </message>
@@ -3796,12 +3804,8 @@ mm/min</translation>
         <translation>Vorschub-Override erhöhen</translation>
     </message>
     <message>
-        <source>◀ Step back</source>
+        <source>◀ Back</source>
         <translation>◀ Schritt zurück</translation>
-    </message>
-    <message>
-        <source>Step on ▶</source>
-        <translation>Schritt vor ▶</translation>
     </message>
     <message>
         <source>RESUME</source>
@@ -3854,18 +3858,30 @@ an der Abbruchstelle</translation>
         <translation>%1 mm/min</translation>
     </message>
     <message>
-        <source>To grind: %1 mm
-Time left: %2</source>
-        <translation>Zu schleifen: %1 mm
-Restzeit: %2</translation>
+        <source>Open a pattern on the page Job, or drop one here.</source>
+        <translation>Ein Muster auf der Seite „Auftrag“ öffnen oder hierher ziehen.</translation>
+    </message>
+    <message>
+        <source>Forward ▶</source>
+        <translation>Schritt vor ▶</translation>
+    </message>
+    <message>
+        <source>CYCLE START
+keep pressed</source>
+        <translation>ZYKLUSSTART
+gedrückt halten</translation>
+    </message>
+    <message>
+        <source>Done: %1 %
+To grind: %2 mm
+Time left: %3</source>
+        <translation>Fertig: %1 %
+Noch zu schleifen: %2 mm
+Restzeit: %3</translation>
     </message>
 </context>
 <context>
     <name>arris::ui::SettingsPage</name>
-    <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
     <message>
         <source>Set this code</source>
         <translation>Code setzen</translation>
@@ -3873,10 +3889,6 @@ Restzeit: %2</translation>
     <message>
         <source>Take the code away</source>
         <translation>Code entfernen</translation>
-    </message>
-    <message>
-        <source>Lock now</source>
-        <translation>Sperren</translation>
     </message>
     <message>
         <source>Window</source>
@@ -3986,6 +3998,14 @@ Restzeit: %2</translation>
         <source>LinuxCNC</source>
         <translation>LinuxCNC</translation>
     </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Entsperren</translation>
+    </message>
+    <message>
+        <source>Lock the values now</source>
+        <translation>Werte jetzt sperren</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::SetupPage</name>
@@ -4024,14 +4044,6 @@ Restzeit: %2</translation>
     <message>
         <source>Simulated machine</source>
         <translation>Simulierte Maschine</translation>
-    </message>
-    <message>
-        <source>Mend everything</source>
-        <translation>Alles beheben</translation>
-    </message>
-    <message>
-        <source>Read the alarm above, mend its cause, acknowledge it.</source>
-        <translation>Alarm oben lesen, Ursache beheben, quittieren.</translation>
     </message>
     <message>
         <source>Next: switch the drives on.</source>
@@ -4109,6 +4121,22 @@ Restzeit: %2</translation>
         <source>Nothing can be moved: %1</source>
         <translation>Nichts lässt sich bewegen: %1</translation>
     </message>
+    <message>
+        <source>Clear all faults</source>
+        <translation>Alle Störungen beheben</translation>
+    </message>
+    <message>
+        <source>Read the alarm above, remove its cause, acknowledge it.</source>
+        <translation>Alarm oben lesen, Ursache beseitigen, quittieren.</translation>
+    </message>
+    <message>
+        <source>Held: go on with RESUME on the page Run, or STOP.</source>
+        <translation>Angehalten: auf der Seite „Betrieb“ FORTSETZEN oder STOPP drücken.</translation>
+    </message>
+    <message>
+        <source>Something moves: until it ends nothing is moved from here.</source>
+        <translation>Etwas fährt: Bis es endet, wird von hier nichts bewegt.</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::TimeModel</name>
@@ -4148,9 +4176,9 @@ Restzeit: %2</translation>
     <name>arris::ui::WipeCover</name>
     <message>
         <source>The screen is locked for wiping: %1 s
-FEED HOLD and STOP work.</source>
-        <translation>Der Bildschirm ist zum Abwischen gesperrt: %1 s
-VORSCHUB HALT und STOPP wirken.</translation>
+FEED HOLD and STOP work whenever something moves.</source>
+        <translation>Der Bildschirm ist zum Wischen gesperrt: %1 s
+VORSCHUB HALT und STOPP wirken, wann immer sich etwas bewegt.</translation>
     </message>
 </context>
 </TS>

@@ -95,20 +95,12 @@
         <translation>Un cavo è rotto o allentato, oppure l&apos;encoder è sporco.</translation>
     </message>
     <message>
-        <source>Mend the encoder or its cable, acknowledge, home again.</source>
-        <translation>Riparare l&apos;encoder o il cavo, confermare, ripetere l&apos;azzeramento.</translation>
-    </message>
-    <message>
         <source>The axes report nothing any more.</source>
         <translation>Gli assi non comunicano più.</translation>
     </message>
     <message>
         <source>The connection to the drives is broken.</source>
         <translation>Il collegamento con gli azionamenti è interrotto.</translation>
-    </message>
-    <message>
-        <source>Mend the connection, acknowledge, home again.</source>
-        <translation>Ripristinare il collegamento, confermare, ripetere l&apos;azzeramento.</translation>
     </message>
     <message>
         <source>A set-point of {axis} was no number, or jumped by {value} mm/s² more than the axis can follow.</source>
@@ -143,20 +135,12 @@
         <translation>Sovraccarico, surriscaldamento o guasto dell&apos;alimentazione.</translation>
     </message>
     <message>
-        <source>Read the drive&apos;s own display, mend it, acknowledge.</source>
-        <translation>Leggere il display dell&apos;azionamento, eliminare il guasto, confermare.</translation>
-    </message>
-    <message>
         <source>The drive of {axis} is not ready.</source>
         <translation>{axis}: l&apos;azionamento non è pronto.</translation>
     </message>
     <message>
         <source>Its supply is off, or a safety circuit is open.</source>
         <translation>L&apos;alimentazione è spenta, oppure un circuito di sicurezza è aperto.</translation>
-    </message>
-    <message>
-        <source>Switch the drive&apos;s supply on, acknowledge.</source>
-        <translation>Accendere l&apos;alimentazione dell&apos;azionamento, confermare.</translation>
     </message>
     <message>
         <source>{axis} has hit a limit switch.</source>
@@ -255,10 +239,6 @@
         <translation>La vasca è vuota, oppure la pompa o un filtro è intasato.</translation>
     </message>
     <message>
-        <source>Mend the coolant, acknowledge, resume the job.</source>
-        <translation>Ripristinare il refrigerante, confermare, riprendere il lavoro.</translation>
-    </message>
-    <message>
         <source>The vacuum does not hold the glass.</source>
         <translation>Il vuoto non tiene il vetro.</translation>
     </message>
@@ -313,6 +293,26 @@
     <message>
         <source>%1 periods</source>
         <translation>%1 cicli</translation>
+    </message>
+    <message>
+        <source>Repair the encoder or its cable, acknowledge, home again.</source>
+        <translation>Riparare l&apos;encoder o il suo cavo, confermare, ripetere l&apos;azzeramento.</translation>
+    </message>
+    <message>
+        <source>Restore the connection, acknowledge, home again.</source>
+        <translation>Ripristinare il collegamento, confermare, ripetere l&apos;azzeramento.</translation>
+    </message>
+    <message>
+        <source>Read the drive&apos;s display, clear its fault, acknowledge.</source>
+        <translation>Leggere il display dell&apos;azionamento, eliminare il guasto, confermare.</translation>
+    </message>
+    <message>
+        <source>Switch its supply on, close the safety circuit, acknowledge.</source>
+        <translation>Accendere l&apos;alimentazione, chiudere il circuito di sicurezza, confermare.</translation>
+    </message>
+    <message>
+        <source>Restore the coolant, acknowledge, resume the job.</source>
+        <translation>Ripristinare il refrigerante, confermare, riprendere il lavoro.</translation>
     </message>
 </context>
 <context>
@@ -566,7 +566,7 @@
     </message>
     <message>
         <source>Initialized</source>
-        <translation>Preparato</translation>
+        <translation>Caricato</translation>
     </message>
     <message>
         <source>Running</source>
@@ -574,11 +574,11 @@
     </message>
     <message>
         <source>Interrupted</source>
-        <translation>Interrotto</translation>
+        <translation>Sospeso</translation>
     </message>
     <message>
         <source>Aborted</source>
-        <translation>Annullato</translation>
+        <translation>Interrotto</translation>
     </message>
     <message>
         <source>Ended</source>
@@ -1883,7 +1883,7 @@ Vuoto: %3</translation>
     <name>SimulatedFault</name>
     <message>
         <source>Coolant fails</source>
-        <translation>Manca refrigerante</translation>
+        <translation>Manca il refrigerante</translation>
     </message>
     <message>
         <source>Spindle fails</source>
@@ -2000,10 +2000,6 @@ Vuoto: %3</translation>
         <translation>%1, spigolo %2</translation>
     </message>
     <message>
-        <source>X %1  Y %2  Z %3 mm</source>
-        <translation>X %1  Y %2  Z %3 mm</translation>
-    </message>
-    <message>
         <source>%1 s of %2</source>
         <translation>%1 s di %2</translation>
     </message>
@@ -2014,6 +2010,10 @@ Vuoto: %3</translation>
     <message>
         <source>%1 mm to the corner</source>
         <translation>%1 mm dallo spigolo</translation>
+    </message>
+    <message>
+        <source>Planned: X %1  Y %2  Z %3 mm</source>
+        <translation>Previsto: X %1  Y %2  Z %3 mm</translation>
     </message>
 </context>
 <context>
@@ -2041,6 +2041,10 @@ Vuoto: %3</translation>
     <message>
         <source>Axes through LinuxCNC</source>
         <translation>Assi tramite LinuxCNC</translation>
+    </message>
+    <message>
+        <source> (+%1 on the page Alarms)</source>
+        <translation> (+%1 nella pagina «Allarmi»)</translation>
     </message>
 </context>
 <context>
@@ -2192,7 +2196,7 @@ confermato</translation>
     </message>
     <message>
         <source>Support bundle…</source>
-        <translation>Pacch. assistenza…</translation>
+        <translation>Pacchetto di assistenza…</translation>
     </message>
     <message>
         <source>Saves them with the alarm log, the last runs and versions, for whoever helps.</source>
@@ -2301,19 +2305,19 @@ confermato</translation>
     </message>
     <message>
         <source>Spindle on</source>
-        <translation>Mandrino ON</translation>
+        <translation>Accendi mandrino</translation>
     </message>
     <message>
         <source>Spindle off</source>
-        <translation>Mandrino OFF</translation>
+        <translation>Spegni mandrino</translation>
     </message>
     <message>
         <source>Coolant on</source>
-        <translation>Refriger. ON</translation>
+        <translation>Apri refrigerante</translation>
     </message>
     <message>
         <source>Coolant off</source>
-        <translation>Refriger. OFF</translation>
+        <translation>Chiudi refrigerante</translation>
     </message>
     <message>
         <source>A pane was broken off: its origin stays until it has been ground or given up.</source>
@@ -2386,24 +2390,24 @@ AVANZ.</translation>
         <translation>Transiz. a, t&lt;sub&gt;m&lt;/sub&gt;</translation>
     </message>
     <message>
-        <source>%1 mm/s², %2 s</source>
-        <translation>%1 mm/s², %2 s</translation>
+        <source>%1 mm/s²; %2 s</source>
+        <translation>%1 mm/s²; %2 s</translation>
     </message>
     <message>
         <source>Widest, leg ℓ</source>
-        <translation>Distanza, ℓ</translation>
+        <translation>Distanza max, ℓ</translation>
     </message>
     <message>
         <source>Relief</source>
         <translation>Distacco</translation>
     </message>
     <message>
-        <source>yes: lifts %1, needs %2 mm</source>
-        <translation>sì: stacca %1, min. %2 mm</translation>
+        <source>yes: lifts %1; needs %2 mm</source>
+        <translation>sì: stacca %1; min. %2 mm</translation>
     </message>
     <message>
-        <source>no: lifts %1, needs %2 mm</source>
-        <translation>no: stacca %1, min. %2 mm</translation>
+        <source>no: lifts %1; needs %2 mm</source>
+        <translation>no: stacca %1; min. %2 mm</translation>
     </message>
     <message>
         <source>Radius of the roll</source>
@@ -2418,16 +2422,16 @@ AVANZ.</translation>
         <translation>Previsto</translation>
     </message>
     <message>
-        <source>%1 mm/s, %2 s</source>
-        <translation>%1 mm/s, %2 s</translation>
+        <source>%1 mm/s; %2 s</source>
+        <translation>%1 mm/s; %2 s</translation>
     </message>
     <message>
         <source>Slowing L&lt;sub&gt;d&lt;/sub&gt;, L&lt;sub&gt;a&lt;/sub&gt;</source>
         <translation>Rampe L&lt;sub&gt;d&lt;/sub&gt;, L&lt;sub&gt;a&lt;/sub&gt;</translation>
     </message>
     <message>
-        <source>%1, %2 mm</source>
-        <translation>%1, %2 mm</translation>
+        <source>%1; %2 mm</source>
+        <translation>%1; %2 mm</translation>
     </message>
     <message>
         <source>(contour %1)</source>
@@ -2761,10 +2765,6 @@ mm</translation>
 <context>
     <name>arris::ui::FindingsPanel</name>
     <message>
-        <source>Corner</source>
-        <translation>Spigolo</translation>
-    </message>
-    <message>
         <source>Corners</source>
         <translation>Spigoli</translation>
     </message>
@@ -2779,6 +2779,10 @@ mm</translation>
     <message>
         <source>Problems (%1)</source>
         <translation>Problemi (%1)</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Dettagli</translation>
     </message>
 </context>
 <context>
@@ -2837,12 +2841,6 @@ mm</translation>
         <translation>Nessuna sagoma aperta.</translation>
     </message>
     <message>
-        <source>Grinding: %1
-Whole program: %2</source>
-        <translation>Molatura: %1
-Programma: %2</translation>
-    </message>
-    <message>
         <source>Cannot be ground: see the problems.</source>
         <translation>Non molabile: vedere i problemi.</translation>
     </message>
@@ -2861,6 +2859,12 @@ Calcolo: cambiare un valore.</translation>
 To plan: change a value.</source>
         <translation>Annullato: valori di prima.
 Calcolo: cambiare un valore.</translation>
+    </message>
+    <message>
+        <source>Grinding: %1
+Program: %2</source>
+        <translation>Molatura: %1
+Programma: %2</translation>
     </message>
 </context>
 <context>
@@ -2979,10 +2983,6 @@ Calcolo: cambiare un valore.</translation>
         <translation>Più lastre</translation>
     </message>
     <message>
-        <source>Order</source>
-        <translation>Ordine</translation>
-    </message>
-    <message>
         <source>Grind the next pane smaller</source>
         <translation>Prossima lastra più piccola</translation>
     </message>
@@ -3011,16 +3011,8 @@ Calcolo: cambiare un valore.</translation>
         <translation>Carica lavoro</translation>
     </message>
     <message>
-        <source>Pane %1 was broken off: cycle start goes on with it. “Reject”, or loading a job, gives it up.</source>
-        <translation>La lastra %1 è stata interrotta: l&apos;avvio ciclo la continua. «Scarto», o il caricamento di un lavoro, vi rinuncia.</translation>
-    </message>
-    <message>
         <source>The pane is interrupted: resume it, or stop it, before a job is loaded.</source>
         <translation>La lastra è interrotta: riprenderla o arrestarla prima di caricare un lavoro.</translation>
-    </message>
-    <message>
-        <source>What is planned on the page Job cannot be ground: nothing can be loaded before that is mended.</source>
-        <translation>Ciò che è previsto nella pagina «Lavoro» non è molabile: finché non viene corretto non si può caricare nulla.</translation>
     </message>
     <message>
         <source>Values have changed; this pane stays as it was loaded. After it load the job for the next pane.</source>
@@ -3045,6 +3037,18 @@ Calcolo: cambiare un valore.</translation>
     <message>
         <source>The page Job shows other values than it has: nothing can be loaded before they are planned.</source>
         <translation>La pagina «Lavoro» mostra valori non ancora calcolati: finché non vengono calcolati non si può caricare nulla.</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>Lastre</translation>
+    </message>
+    <message>
+        <source>Pane %1 was broken off: after the alarm is acknowledged, CYCLE START goes on with it. “Reject”, or loading a job, gives it up.</source>
+        <translation>Lastra %1 interrotta: confermato l&apos;allarme, AVVIO CICLO la prosegue. «Scarto» o il caricamento di un lavoro la abbandonano.</translation>
+    </message>
+    <message>
+        <source>What is planned on the page Job cannot be ground: nothing can be loaded before that is put right.</source>
+        <translation>Quanto è previsto nella pagina «Lavoro» non si può molare: prima di correggerlo non si carica nulla.</translation>
     </message>
 </context>
 <context>
@@ -3409,7 +3413,7 @@ mm</translation>
     </message>
     <message>
         <source>Path</source>
-        <translation>Perc.</translation>
+        <translation>Percorso</translation>
     </message>
     <message>
         <source>The way of the wheel in the plane</source>
@@ -3439,8 +3443,8 @@ mm</translation>
 <context>
     <name>arris::ui::RecipeBook</name>
     <message>
-        <source>%1, wheel %2</source>
-        <translation>%1, mola %2</translation>
+        <source>%1, wheel R %2</source>
+        <translation>%1, mola R %2</translation>
     </message>
 </context>
 <context>
@@ -3536,6 +3540,14 @@ mm</translation>
     <message>
         <source>“%1” is written to %2.</source>
         <translation>«%1» è stata salvata in %2.</translation>
+    </message>
+    <message>
+        <source>No recipe has been saved yet.</source>
+        <translation>Nessuna ricetta è stata ancora salvata.</translation>
+    </message>
+    <message>
+        <source>No recipe is for this thickness of glass.</source>
+        <translation>Nessuna ricetta è per questo spessore del vetro.</translation>
     </message>
 </context>
 <context>
@@ -3776,10 +3788,6 @@ mm/min</translation>
 <context>
     <name>arris::ui::RunPage</name>
     <message>
-        <source>CYCLE START</source>
-        <translation>AVVIO CICLO</translation>
-    </message>
-    <message>
         <source>Progress</source>
         <translation>Progresso</translation>
     </message>
@@ -3796,12 +3804,8 @@ mm/min</translation>
         <translation>Aumenta override avanzamento</translation>
     </message>
     <message>
-        <source>◀ Step back</source>
+        <source>◀ Back</source>
         <translation>◀ Passo indietro</translation>
-    </message>
-    <message>
-        <source>Step on ▶</source>
-        <translation>Passo avanti ▶</translation>
     </message>
     <message>
         <source>RESUME</source>
@@ -3854,18 +3858,30 @@ dal punto interrotto</translation>
         <translation>%1 mm/min</translation>
     </message>
     <message>
-        <source>To grind: %1 mm
-Time left: %2</source>
-        <translation>Da molare: %1 mm
-Tempo residuo: %2</translation>
+        <source>Open a pattern on the page Job, or drop one here.</source>
+        <translation>Aprire una sagoma nella pagina «Lavoro» o trascinarla qui.</translation>
+    </message>
+    <message>
+        <source>Forward ▶</source>
+        <translation>Passo avanti ▶</translation>
+    </message>
+    <message>
+        <source>CYCLE START
+keep pressed</source>
+        <translation>AVVIO CICLO
+tenere premuto</translation>
+    </message>
+    <message>
+        <source>Done: %1 %
+To grind: %2 mm
+Time left: %3</source>
+        <translation>Fatto: %1 %
+Da molare: %2 mm
+Tempo residuo: %3</translation>
     </message>
 </context>
 <context>
     <name>arris::ui::SettingsPage</name>
-    <message>
-        <source>Open</source>
-        <translation>Apri</translation>
-    </message>
     <message>
         <source>Set this code</source>
         <translation>Imposta codice</translation>
@@ -3873,10 +3889,6 @@ Tempo residuo: %2</translation>
     <message>
         <source>Take the code away</source>
         <translation>Rimuovi codice</translation>
-    </message>
-    <message>
-        <source>Lock now</source>
-        <translation>Blocca ora</translation>
     </message>
     <message>
         <source>Window</source>
@@ -3986,6 +3998,14 @@ Tempo residuo: %2</translation>
         <source>LinuxCNC</source>
         <translation>LinuxCNC</translation>
     </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Sblocca</translation>
+    </message>
+    <message>
+        <source>Lock the values now</source>
+        <translation>Proteggi ora i valori</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::SetupPage</name>
@@ -4024,14 +4044,6 @@ Tempo residuo: %2</translation>
     <message>
         <source>Simulated machine</source>
         <translation>Macchina simulata</translation>
-    </message>
-    <message>
-        <source>Mend everything</source>
-        <translation>Ripristina tutto</translation>
-    </message>
-    <message>
-        <source>Read the alarm above, mend its cause, acknowledge it.</source>
-        <translation>Leggere l&apos;allarme in alto, eliminarne la causa, confermare.</translation>
     </message>
     <message>
         <source>Next: switch the drives on.</source>
@@ -4109,6 +4121,22 @@ Tempo residuo: %2</translation>
         <source>Nothing can be moved: %1</source>
         <translation>Non si può muovere nulla: %1</translation>
     </message>
+    <message>
+        <source>Clear all faults</source>
+        <translation>Elimina tutti i guasti</translation>
+    </message>
+    <message>
+        <source>Read the alarm above, remove its cause, acknowledge it.</source>
+        <translation>Leggere l&apos;allarme in alto, eliminarne la causa, confermarlo.</translation>
+    </message>
+    <message>
+        <source>Held: go on with RESUME on the page Run, or STOP.</source>
+        <translation>In pausa: premere RIPRENDI nella pagina «Ciclo», oppure STOP.</translation>
+    </message>
+    <message>
+        <source>Something moves: until it ends nothing is moved from here.</source>
+        <translation>Qualcosa si muove: finché non termina, da qui non si muove nulla.</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::TimeModel</name>
@@ -4148,9 +4176,9 @@ Tempo residuo: %2</translation>
     <name>arris::ui::WipeCover</name>
     <message>
         <source>The screen is locked for wiping: %1 s
-FEED HOLD and STOP work.</source>
+FEED HOLD and STOP work whenever something moves.</source>
         <translation>Lo schermo è bloccato per la pulizia: %1 s
-PAUSA AVANZ. e STOP funzionano.</translation>
+PAUSA AVANZ. e STOP funzionano ogni volta che qualcosa si muove.</translation>
     </message>
 </context>
 </TS>

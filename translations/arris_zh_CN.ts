@@ -95,20 +95,12 @@
         <translation>电缆断开或松动，或编码器脏污。</translation>
     </message>
     <message>
-        <source>Mend the encoder or its cable, acknowledge, home again.</source>
-        <translation>修复编码器或其电缆，确认报警，重新回零。</translation>
-    </message>
-    <message>
         <source>The axes report nothing any more.</source>
         <translation>各轴无反馈。</translation>
     </message>
     <message>
         <source>The connection to the drives is broken.</source>
         <translation>与驱动器的连接中断。</translation>
-    </message>
-    <message>
-        <source>Mend the connection, acknowledge, home again.</source>
-        <translation>修复连接，确认报警，重新回零。</translation>
     </message>
     <message>
         <source>A set-point of {axis} was no number, or jumped by {value} mm/s² more than the axis can follow.</source>
@@ -136,15 +128,11 @@
     </message>
     <message>
         <source>The drive of {axis} reports a fault.</source>
-        <translation>{axis} 轴驱动器报故障。</translation>
+        <translation>{axis} 轴驱动器故障。</translation>
     </message>
     <message>
         <source>Overload, overheating, or a fault in the supply.</source>
         <translation>过载、过热或电源故障。</translation>
-    </message>
-    <message>
-        <source>Read the drive&apos;s own display, mend it, acknowledge.</source>
-        <translation>查看驱动器显示，排除故障，确认报警。</translation>
     </message>
     <message>
         <source>The drive of {axis} is not ready.</source>
@@ -153,10 +141,6 @@
     <message>
         <source>Its supply is off, or a safety circuit is open.</source>
         <translation>驱动器电源未接通，或安全回路断开。</translation>
-    </message>
-    <message>
-        <source>Switch the drive&apos;s supply on, acknowledge.</source>
-        <translation>接通驱动器电源，确认报警。</translation>
     </message>
     <message>
         <source>{axis} has hit a limit switch.</source>
@@ -184,7 +168,7 @@
     </message>
     <message>
         <source>{axis} has not found its reference switch.</source>
-        <translation>{axis} 轴未找到参考点开关。</translation>
+        <translation>{axis} 轴未找到回零开关。</translation>
     </message>
     <message>
         <source>The switch is broken, or the axis did not move.</source>
@@ -255,10 +239,6 @@
         <translation>水箱已空，或泵或过滤器堵塞。</translation>
     </message>
     <message>
-        <source>Mend the coolant, acknowledge, resume the job.</source>
-        <translation>恢复冷却液供给，确认报警，继续任务。</translation>
-    </message>
-    <message>
         <source>The vacuum does not hold the glass.</source>
         <translation>真空未吸住玻璃。</translation>
     </message>
@@ -313,6 +293,26 @@
     <message>
         <source>%1 periods</source>
         <translation>%1 个周期</translation>
+    </message>
+    <message>
+        <source>Repair the encoder or its cable, acknowledge, home again.</source>
+        <translation>修复编码器或其电缆，确认报警，重新回零。</translation>
+    </message>
+    <message>
+        <source>Restore the connection, acknowledge, home again.</source>
+        <translation>恢复连接，确认报警，重新回零。</translation>
+    </message>
+    <message>
+        <source>Read the drive&apos;s display, clear its fault, acknowledge.</source>
+        <translation>查看驱动器显示，排除故障，然后确认报警。</translation>
+    </message>
+    <message>
+        <source>Switch its supply on, close the safety circuit, acknowledge.</source>
+        <translation>接通驱动器供电，闭合安全回路，然后确认报警。</translation>
+    </message>
+    <message>
+        <source>Restore the coolant, acknowledge, resume the job.</source>
+        <translation>恢复冷却液，确认报警，继续任务。</translation>
     </message>
 </context>
 <context>
@@ -566,7 +566,7 @@
     </message>
     <message>
         <source>Initialized</source>
-        <translation>已初始化</translation>
+        <translation>已加载</translation>
     </message>
     <message>
         <source>Running</source>
@@ -625,7 +625,7 @@
     </message>
     <message>
         <source>Slower between these</source>
-        <translation>此间减速</translation>
+        <translation>标记之间减速</translation>
     </message>
     <message>
         <source>Roll or arc at a corner</source>
@@ -708,7 +708,7 @@
     </message>
     <message>
         <source>Reference switches</source>
-        <translation>参考点开关</translation>
+        <translation>回零开关</translation>
     </message>
     <message>
         <source>Jog only while the panel&apos;s jog enable is held</source>
@@ -1966,7 +1966,7 @@ Vacuum: %3</source>
     </message>
     <message>
         <source>Held</source>
-        <translation>已保持</translation>
+        <translation>进给保持</translation>
     </message>
     <message>
         <source>Stepping</source>
@@ -2000,10 +2000,6 @@ Vacuum: %3</source>
         <translation>%1，转角 %2</translation>
     </message>
     <message>
-        <source>X %1  Y %2  Z %3 mm</source>
-        <translation>X %1  Y %2  Z %3 mm</translation>
-    </message>
-    <message>
         <source>%1 s of %2</source>
         <translation>%1 秒 / %2</translation>
     </message>
@@ -2014,6 +2010,10 @@ Vacuum: %3</source>
     <message>
         <source>%1 mm to the corner</source>
         <translation>距转角 %1 mm</translation>
+    </message>
+    <message>
+        <source>Planned: X %1  Y %2  Z %3 mm</source>
+        <translation>计划：X %1  Y %2  Z %3 mm</translation>
     </message>
 </context>
 <context>
@@ -2041,6 +2041,10 @@ Vacuum: %3</source>
     <message>
         <source>Axes through LinuxCNC</source>
         <translation>通过 LinuxCNC 的轴</translation>
+    </message>
+    <message>
+        <source> (+%1 on the page Alarms)</source>
+        <translation>（“报警”页另有 %1 条）</translation>
     </message>
 </context>
 <context>
@@ -2192,7 +2196,7 @@ acknowledged</source>
     </message>
     <message>
         <source>Support bundle…</source>
-        <translation>支持包…</translation>
+        <translation>技术支持包…</translation>
     </message>
     <message>
         <source>Saves them with the alarm log, the last runs and versions, for whoever helps.</source>
@@ -2386,8 +2390,8 @@ HOLD</source>
         <translation>过渡 a、t&lt;sub&gt;m&lt;/sub&gt;</translation>
     </message>
     <message>
-        <source>%1 mm/s², %2 s</source>
-        <translation>%1 mm/s²，%2 s</translation>
+        <source>%1 mm/s²; %2 s</source>
+        <translation>%1 mm/s²；%2 s</translation>
     </message>
     <message>
         <source>Widest, leg ℓ</source>
@@ -2398,12 +2402,12 @@ HOLD</source>
         <translation>脱离</translation>
     </message>
     <message>
-        <source>yes: lifts %1, needs %2 mm</source>
-        <translation>可以：抬离 %1，需要 %2 mm</translation>
+        <source>yes: lifts %1; needs %2 mm</source>
+        <translation>可以：抬离 %1；需要 %2 mm</translation>
     </message>
     <message>
-        <source>no: lifts %1, needs %2 mm</source>
-        <translation>不足：抬离 %1，需要 %2 mm</translation>
+        <source>no: lifts %1; needs %2 mm</source>
+        <translation>不足：抬离 %1；需要 %2 mm</translation>
     </message>
     <message>
         <source>Radius of the roll</source>
@@ -2418,16 +2422,16 @@ HOLD</source>
         <translation>计划</translation>
     </message>
     <message>
-        <source>%1 mm/s, %2 s</source>
-        <translation>%1 mm/s，%2 s</translation>
+        <source>%1 mm/s; %2 s</source>
+        <translation>%1 mm/s；%2 s</translation>
     </message>
     <message>
         <source>Slowing L&lt;sub&gt;d&lt;/sub&gt;, L&lt;sub&gt;a&lt;/sub&gt;</source>
         <translation>加减速 L&lt;sub&gt;d&lt;/sub&gt;、L&lt;sub&gt;a&lt;/sub&gt;</translation>
     </message>
     <message>
-        <source>%1, %2 mm</source>
-        <translation>%1，%2 mm</translation>
+        <source>%1; %2 mm</source>
+        <translation>%1；%2 mm</translation>
     </message>
     <message>
         <source>(contour %1)</source>
@@ -2549,7 +2553,7 @@ mm</translation>
     </message>
     <message>
         <source>Reference switch</source>
-        <translation>参考点开关</translation>
+        <translation>回零开关</translation>
     </message>
     <message>
         <source>Drive enable (output)</source>
@@ -2761,10 +2765,6 @@ mm</translation>
 <context>
     <name>arris::ui::FindingsPanel</name>
     <message>
-        <source>Corner</source>
-        <translation>转角</translation>
-    </message>
-    <message>
         <source>Corners</source>
         <translation>转角</translation>
     </message>
@@ -2779,6 +2779,10 @@ mm</translation>
     <message>
         <source>Problems (%1)</source>
         <translation>问题（%1）</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>详情</translation>
     </message>
 </context>
 <context>
@@ -2837,12 +2841,6 @@ mm</translation>
         <translation>没有打开的图样。</translation>
     </message>
     <message>
-        <source>Grinding: %1
-Whole program: %2</source>
-        <translation>磨削：%1
-整个程序：%2</translation>
-    </message>
-    <message>
         <source>Cannot be ground: see the problems.</source>
         <translation>无法磨削：请查看“问题”。</translation>
     </message>
@@ -2861,6 +2859,12 @@ To plan: change a value.</source>
 To plan: change a value.</source>
         <translation>已取消：仍为之前的数值。
 更改一个数值即可规划。</translation>
+    </message>
+    <message>
+        <source>Grinding: %1
+Program: %2</source>
+        <translation>磨削：%1
+程序：%2</translation>
     </message>
 </context>
 <context>
@@ -2979,10 +2983,6 @@ To plan: change a value.</source>
         <translation>增加片数</translation>
     </message>
     <message>
-        <source>Order</source>
-        <translation>订单</translation>
-    </message>
-    <message>
         <source>Grind the next pane smaller</source>
         <translation>下一片磨小</translation>
     </message>
@@ -3011,16 +3011,8 @@ To plan: change a value.</source>
         <translation>加载任务</translation>
     </message>
     <message>
-        <source>Pane %1 was broken off: cycle start goes on with it. “Reject”, or loading a job, gives it up.</source>
-        <translation>第 %1 片已中断：循环启动将继续磨削这一片。按“不合格”或加载任务则放弃这一片。</translation>
-    </message>
-    <message>
         <source>The pane is interrupted: resume it, or stop it, before a job is loaded.</source>
         <translation>该片玻璃已中断：请先继续或停止，再加载任务。</translation>
-    </message>
-    <message>
-        <source>What is planned on the page Job cannot be ground: nothing can be loaded before that is mended.</source>
-        <translation>“任务”页上的规划无法磨削：排除问题之前无法加载。</translation>
     </message>
     <message>
         <source>Values have changed; this pane stays as it was loaded. After it load the job for the next pane.</source>
@@ -3045,6 +3037,18 @@ To plan: change a value.</source>
     <message>
         <source>The page Job shows other values than it has: nothing can be loaded before they are planned.</source>
         <translation>“任务”页显示的内容与其当前数值不符：重新规划之前无法加载。</translation>
+    </message>
+    <message>
+        <source>Panes</source>
+        <translation>片数</translation>
+    </message>
+    <message>
+        <source>Pane %1 was broken off: after the alarm is acknowledged, CYCLE START goes on with it. “Reject”, or loading a job, gives it up.</source>
+        <translation>第 %1 片已中断：确认报警后，按循环启动继续磨削这一片。按“不合格”或加载任务则放弃它。</translation>
+    </message>
+    <message>
+        <source>What is planned on the page Job cannot be ground: nothing can be loaded before that is put right.</source>
+        <translation>“任务”页上的计划无法磨削：改正之前不能加载。</translation>
     </message>
 </context>
 <context>
@@ -3150,7 +3154,7 @@ To plan: change a value.</source>
     <name>arris::ui::ProfilePlot</name>
     <message>
         <source>time, s</source>
-        <translation>时间，s</translation>
+        <translation>时间（s）</translation>
     </message>
     <message>
         <source>X velocity
@@ -3439,8 +3443,8 @@ mm</translation>
 <context>
     <name>arris::ui::RecipeBook</name>
     <message>
-        <source>%1, wheel %2</source>
-        <translation>%1，磨轮 %2</translation>
+        <source>%1, wheel R %2</source>
+        <translation>%1，磨轮 R %2</translation>
     </message>
 </context>
 <context>
@@ -3536,6 +3540,14 @@ mm</translation>
     <message>
         <source>“%1” is written to %2.</source>
         <translation>“%1”已写入 %2。</translation>
+    </message>
+    <message>
+        <source>No recipe has been saved yet.</source>
+        <translation>尚未保存任何配方。</translation>
+    </message>
+    <message>
+        <source>No recipe is for this thickness of glass.</source>
+        <translation>没有用于此玻璃厚度的配方。</translation>
     </message>
 </context>
 <context>
@@ -3689,7 +3701,7 @@ mm/min</translation>
     <name>arris::ui::ReliefPlot</name>
     <message>
         <source>time from A, s</source>
-        <translation>从 A 起的时间，s</translation>
+        <translation>从 A 起的时间（s）</translation>
     </message>
     <message>
         <source>distance L, mm</source>
@@ -3776,10 +3788,6 @@ mm/min</translation>
 <context>
     <name>arris::ui::RunPage</name>
     <message>
-        <source>CYCLE START</source>
-        <translation>循环启动</translation>
-    </message>
-    <message>
         <source>Progress</source>
         <translation>进度</translation>
     </message>
@@ -3796,12 +3804,8 @@ mm/min</translation>
         <translation>提高进给倍率</translation>
     </message>
     <message>
-        <source>◀ Step back</source>
+        <source>◀ Back</source>
         <translation>◀ 单步后退</translation>
-    </message>
-    <message>
-        <source>Step on ▶</source>
-        <translation>单步前进 ▶</translation>
     </message>
     <message>
         <source>RESUME</source>
@@ -3854,18 +3858,30 @@ where it was broken off</source>
         <translation>%1 mm/min</translation>
     </message>
     <message>
-        <source>To grind: %1 mm
-Time left: %2</source>
-        <translation>待磨：%1 mm
-剩余时间：%2</translation>
+        <source>Open a pattern on the page Job, or drop one here.</source>
+        <translation>请在“任务”页打开图样，或将文件拖放到此处。</translation>
+    </message>
+    <message>
+        <source>Forward ▶</source>
+        <translation>单步前进 ▶</translation>
+    </message>
+    <message>
+        <source>CYCLE START
+keep pressed</source>
+        <translation>循环启动
+按住</translation>
+    </message>
+    <message>
+        <source>Done: %1 %
+To grind: %2 mm
+Time left: %3</source>
+        <translation>已完成：%1 %
+待磨削：%2 mm
+剩余时间：%3</translation>
     </message>
 </context>
 <context>
     <name>arris::ui::SettingsPage</name>
-    <message>
-        <source>Open</source>
-        <translation>解锁</translation>
-    </message>
     <message>
         <source>Set this code</source>
         <translation>设定此密码</translation>
@@ -3873,10 +3889,6 @@ Time left: %2</source>
     <message>
         <source>Take the code away</source>
         <translation>取消密码</translation>
-    </message>
-    <message>
-        <source>Lock now</source>
-        <translation>立即锁定</translation>
     </message>
     <message>
         <source>Window</source>
@@ -3986,6 +3998,14 @@ Time left: %2</source>
         <source>LinuxCNC</source>
         <translation>LinuxCNC</translation>
     </message>
+    <message>
+        <source>Unlock</source>
+        <translation>解锁</translation>
+    </message>
+    <message>
+        <source>Lock the values now</source>
+        <translation>立即锁定数值</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::SetupPage</name>
@@ -4023,15 +4043,7 @@ Time left: %2</source>
     </message>
     <message>
         <source>Simulated machine</source>
-        <translation>模拟机床</translation>
-    </message>
-    <message>
-        <source>Mend everything</source>
-        <translation>全部恢复正常</translation>
-    </message>
-    <message>
-        <source>Read the alarm above, mend its cause, acknowledge it.</source>
-        <translation>查看上方报警，排除原因，然后确认。</translation>
+        <translation>仿真机床</translation>
     </message>
     <message>
         <source>Next: switch the drives on.</source>
@@ -4047,7 +4059,7 @@ Time left: %2</source>
     </message>
     <message>
         <source>Ready for the cycle start on the page Run.</source>
-        <translation>就绪，可在“运行”页循环启动。</translation>
+        <translation>就绪：可在“运行”页按循环启动。</translation>
     </message>
     <message>
         <source>X %1   Y %2   Z %3 mm</source>
@@ -4067,7 +4079,7 @@ Time left: %2</source>
     </message>
     <message>
         <source>Simulation</source>
-        <translation>模拟</translation>
+        <translation>仿真</translation>
     </message>
     <message>
         <source>Jog</source>
@@ -4109,6 +4121,22 @@ Time left: %2</source>
         <source>Nothing can be moved: %1</source>
         <translation>无法移动：%1</translation>
     </message>
+    <message>
+        <source>Clear all faults</source>
+        <translation>清除所有故障</translation>
+    </message>
+    <message>
+        <source>Read the alarm above, remove its cause, acknowledge it.</source>
+        <translation>查看上方的报警，排除其原因，然后确认。</translation>
+    </message>
+    <message>
+        <source>Held: go on with RESUME on the page Run, or STOP.</source>
+        <translation>进给保持中：请在“运行”页按“继续”，或按停止。</translation>
+    </message>
+    <message>
+        <source>Something moves: until it ends nothing is moved from here.</source>
+        <translation>有轴正在运动：结束之前，此处不能操作。</translation>
+    </message>
 </context>
 <context>
     <name>arris::ui::TimeModel</name>
@@ -4148,9 +4176,9 @@ Time left: %2</source>
     <name>arris::ui::WipeCover</name>
     <message>
         <source>The screen is locked for wiping: %1 s
-FEED HOLD and STOP work.</source>
+FEED HOLD and STOP work whenever something moves.</source>
         <translation>屏幕已锁定以便擦拭：%1 秒
-进给保持和停止有效。</translation>
+只要有轴在运动，进给保持和停止就有效。</translation>
     </message>
 </context>
 </TS>

@@ -14,6 +14,7 @@
 #include "ui/widgets/alarm_banner.h"
 #include "ui/widgets/control_strip.h"
 #include "ui/widgets/keypad.h"
+#include "ui/widgets/signs.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/wipe_cover.h"
 
@@ -43,6 +44,7 @@ MachineSetup with(const Preferences& preferences, MachineSetup setup) {
   return setup;
 }
 
+constexpr int kQuestionSign = 40;      // px
 constexpr int kKeepRecipeAfter = 2000; // ms without a change
 
 // What counts for the whole process, but for the language.
@@ -104,6 +106,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::build() {
+  const Unstyled quicker;
   m_strip = new ControlStrip(m_machine);
   m_banner = new AlarmBanner(m_machine);
   m_pages = new QStackedWidget;
@@ -111,7 +114,7 @@ void MainWindow::build() {
   addPage(job, tr("Job"), QStringLiteral("pageJob"));
   addPage(new SetupPage(m_machine), tr("Setup"), QStringLiteral("pageSetup"));
   addPage(new RunPage(m_planner, m_machine), tr("Run"), QStringLiteral("pageRun"));
-  addPage(new ProfilesPage(m_planner, m_profileFiles), tr("Profiles"), QStringLiteral("pageProfiles"));
+  addPage(new ProfilesPage(m_planner, m_profileFiles, m_profileSight), tr("Profiles"), QStringLiteral("pageProfiles"));
   auto* alarms = new AlarmsPage(m_machine, m_alarms);
   addPage(alarms, tr("Alarms"), QStringLiteral("pageAlarms"));
   addPage(new SettingsPage(m_preferences), tr("Settings"), QStringLiteral("pageSettings"));
@@ -197,18 +200,20 @@ void MainWindow::applySettings() {
   const bool speaksAnother = settings.language != m_shown.language;
   const bool looksOtherwise = settings.appearance != m_shown.appearance || settings.lengthUnit != m_shown.lengthUnit;
   m_shown = settings;
+  if (!speaksAnother && !looksOtherwise) {
+    showWith(settings);
+    return;
+  }
+  const int page = m_pages->currentIndex();
+  delete findChild<Keypad*>();
+  delete takeCentralWidget(); // first: what is there would be styled and spoken to in vain
   showWith(settings);
   if (speaksAnother) {
     speak(QString::fromStdString(settings.language));
   }
-  if (speaksAnother || looksOtherwise) {
-    const int page = m_pages->currentIndex();
-    delete findChild<Keypad*>();
-    delete takeCentralWidget();
-    build();
-    showPage(page);
-    showTitle();
-  }
+  build();
+  showPage(page);
+  showTitle();
 }
 
 void MainWindow::tellProblems() {
@@ -235,7 +240,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
                                tr("Stop the machine and close Arris? The job can be resumed later."),
                                QMessageBox::NoButton, this);
   QPushButton* stops = m_question->addButton(tr("Stop and close"), QMessageBox::AcceptRole);
-  m_question->addButton(tr("Keep running"), QMessageBox::RejectRole);
+  QPushButton* keeps = m_question->addButton(tr("Keep running"), QMessageBox::RejectRole);
+  m_question->setDefaultButton(keeps);
+  m_question->setEscapeButton(keeps);
+  m_question->setIconPixmap(signIcon(base::Severity::Warning).pixmap(kQuestionSign));
   m_question->setAttribute(Qt::WA_DeleteOnClose);
   m_question->setModal(false); // FEED HOLD and STOP stay within reach
   connect(stops, &QPushButton::clicked, this, [this] {

@@ -6,6 +6,7 @@
 #include "ui/presenters/pattern_shelf.h"
 #include "ui/presenters/preferences.h"
 #include "ui/presenters/profile_files.h"
+#include "ui/presenters/profile_sight.h"
 #include "ui/presenters/recipe_desk.h"
 #include "ui/presenters/wheel_walk.h"
 
@@ -89,6 +90,7 @@ private:
   PatternShelf m_shelf;
   MachineLink m_machine;
   ProfileFiles m_profileFiles;
+  ProfileSight m_profileSight;
   AlarmsState m_alarms{m_machine};
   files::Settings m_shown; // the settings that the window was built with
   AlarmBanner* m_banner = nullptr;

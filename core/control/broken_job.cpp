@@ -78,6 +78,16 @@ base::Problems checkMachine(const files::ResumePoint& point, const Machine& mach
   return problems;
 }
 
+std::optional<Problem> checkAxes(const files::ResumePoint& point, files::Axes axes) {
+  if (point.axes.value_or(axes) == axes) {
+    return std::nullopt;
+  }
+  const auto word = [](files::Axes which) {
+    return std::string(files::kAxesWords.at(static_cast<std::size_t>(which)));
+  };
+  return ofAnotherMachine("axes", word(*point.axes), word(axes));
+}
+
 std::optional<Problem> checkPlace(const files::ResumePoint& point, const job::Job& job) {
   const auto segment = static_cast<std::size_t>(std::max(point.place.segment, 0));
   constexpr double kRoundedInTheFile = 1e-6; // mm

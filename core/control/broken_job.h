@@ -29,6 +29,9 @@ struct FoundJob {
 /// JobOfAnotherMachine for every value by which the job was planned that this machine has otherwise.
 [[nodiscard]] base::Problems checkMachine(const files::ResumePoint& point, const recipe::Machine& machine);
 
+/// JobOfAnotherMachine where other axes moved: a pane that was broken off in a simulation does not lie on the machine.
+[[nodiscard]] std::optional<base::Problem> checkAxes(const files::ResumePoint& point, files::Axes axes);
+
 /// JobPlaceUnknown where the job, planned again, does not have the place.
 [[nodiscard]] std::optional<base::Problem> checkPlace(const files::ResumePoint& point, const job::Job& job);
 

@@ -22,10 +22,11 @@ base::Expected<void> tryToWriteIn(const std::filesystem::path& folder) {
 } // namespace
 
 RunKeeper::RunKeeper(files::StateFolder folder, std::shared_ptr<const job::Job> job, std::string patternFile,
-                     std::string patternHash, std::function<std::string()> wallClock, const PaneOrder& panes)
+                     std::string patternHash, std::function<std::string()> wallClock, files::Axes axes,
+                     const PaneOrder& panes)
     : m_folder(std::move(folder)), m_job(std::move(job)), m_patternFile(std::move(patternFile)),
-      m_patternHash(std::move(patternHash)), m_wallClock(std::move(wallClock)), m_resumePoint(m_folder.resumePoint()),
-      m_pane(panes.first - 1), m_panesOrdered(panes.ordered) {
+      m_patternHash(std::move(patternHash)), m_wallClock(std::move(wallClock)), m_axes(axes),
+      m_resumePoint(m_folder.resumePoint()), m_pane(panes.first - 1), m_panesOrdered(panes.ordered) {
   std::error_code failure;
   std::filesystem::create_directories(m_folder.records(), failure);
   if (failure) {
@@ -180,6 +181,7 @@ void RunKeeper::keepPlace(const Report& report, files::Ended ended) {
   point.pane = m_pane;
   point.panes = std::max(m_pane, m_panesOrdered);
   point.ended = ended;
+  point.axes = m_axes;
   m_resumePoint.write(files::writeResumePoint(point));
 }
 

@@ -30,7 +30,8 @@ public:
   /// `wallClock` gives the present time, ISO 8601. Folders that are absent are made; one in which nothing can be
   /// written is a problem from the first.
   RunKeeper(files::StateFolder folder, std::shared_ptr<const job::Job> job, std::string patternFile,
-            std::string patternHash, std::function<std::string()> wallClock, const PaneOrder& panes = {});
+            std::string patternHash, std::function<std::string()> wallClock, files::Axes axes,
+            const PaneOrder& panes = {});
 
   /// Writes what waits; a run that still goes on stays resumable.
   ~RunKeeper();
@@ -79,6 +80,7 @@ private:
   std::string m_patternFile;
   std::string m_patternHash;
   std::function<std::string()> m_wallClock;
+  files::Axes m_axes;
   LatestFile m_resumePoint;
   std::filesystem::path m_recordFile;
   std::optional<files::RecordWriter> m_record;

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <system_error>
+#include <tuple>
 #include <utility>
 
 namespace arris::files {
@@ -73,10 +74,10 @@ Expected<AlarmLog> readAlarmLog(const path& log) {
   if (!text) {
     return Unexpected(text.error());
   }
-  std::map<std::pair<std::string, std::string>, std::size_t> places;
+  std::map<std::tuple<std::string, std::string, std::string>, std::size_t> places;
   eachLine(*text, [&](std::string_view line) {
     if (auto alarm = alarmFrom(line)) {
-      const auto [place, isNew] = places.try_emplace({alarm->time, alarm->code}, result.alarms.size());
+      const auto [place, isNew] = places.try_emplace({alarm->time, alarm->code, alarm->text}, result.alarms.size());
       if (isNew) {
         result.alarms.push_back(*std::move(alarm));
       } else {

@@ -36,8 +36,8 @@ struct AlarmLog {
   bool operator==(const AlarmLog&) const = default;
 };
 
-/// The log as it stands; an alarm that stands there again (same time and code) counts once, as it stands last. Empty
-/// where there is no log yet. Lines that are broken are passed over and counted.
+/// The log as it stands; an alarm that stands there again (same time, code and text) counts once, as it stands last.
+/// Empty where there is no log yet. Lines that are broken are passed over and counted.
 [[nodiscard]] base::Expected<AlarmLog> readAlarmLog(const std::filesystem::path& log);
 
 /// Its alarms alone.

@@ -25,23 +25,26 @@ constexpr int kResumeVersion = 1;
 constexpr std::array<std::string_view, 6> kEndedWords{"running", "held",           "stopped",
                                                       "fault",   "emergency-stop", "interrupted"};
 
-constexpr std::array<std::string_view, 13> kResumeKeys{kResumeKey,  "pattern", "segment", "lambda_mm", "position_mm",
+constexpr std::array<std::string_view, 14> kResumeKeys{kResumeKey,  "pattern", "segment", "lambda_mm", "position_mm",
                                                        "origin_mm", "contour", "t_s",     "pane",      "panes",
-                                                       "ended",     "recipe",  "machine"};
+                                                       "ended",     "axes",    "recipe",  "machine"};
 
 constexpr int kMostSegments = std::numeric_limits<int>::max() - 1;
 constexpr double kLongestSegment = 1e7; ///< mm
 constexpr double kLongestRun = 1e9;     ///< s
 
-Ended endedFrom(const std::string& text, Problems& problems) {
-  const auto* const word = std::find(kEndedWords.begin(), kEndedWords.end(), text);
-  if (word == kEndedWords.end()) {
-    problems.push_back(Problem(Code::ValueNotAChoice, {{"name", std::string("ended")},
-                                                       {"value", text},
-                                                       {"choices", fmt::format("{}", fmt::join(kEndedWords, ", "))}}));
-    return Ended::Running;
+/// The first of the words where the text is none of them.
+template <typename Choice, std::size_t Count>
+Choice choiceFrom(const char* key, const std::array<std::string_view, Count>& words, const std::string& text,
+                  Problems& problems) {
+  const auto* const word = std::find(words.begin(), words.end(), text);
+  if (word == words.end()) {
+    problems.push_back(
+        Problem(Code::ValueNotAChoice,
+                {{"name", std::string(key)}, {"value", text}, {"choices", fmt::format("{}", fmt::join(words, ", "))}}));
+    return Choice{};
   }
-  return static_cast<Ended>(word - kEndedWords.begin());
+  return static_cast<Choice>(word - words.begin());
 }
 
 ResumePoint pointFrom(const Json& object, std::string_view file, Problems& problems) {
@@ -60,7 +63,10 @@ ResumePoint pointFrom(const Json& object, std::string_view file, Problems& probl
   point.time = members.number("t_s", 0, kLongestRun, "s");
   point.pane = members.count("pane", 1, kMostPanes);
   point.panes = members.count("panes", point.pane, kMostPanes);
-  point.ended = endedFrom(members.text("ended"), problems);
+  point.ended = choiceFrom<Ended>("ended", kEndedWords, members.text("ended"), problems);
+  if (object.contains("axes")) {
+    point.axes = choiceFrom<Axes>("axes", kAxesWords, members.text("axes"), problems);
+  }
   readMembers(members.object("recipe"), file, point.recipe, problems);
   readMembers(members.object("machine"), file, point.machine, problems);
   return point;
@@ -85,6 +91,9 @@ std::string writeResumePoint(const ResumePoint& point) {
   json.member("pane", point.pane);
   json.member("panes", point.panes);
   json.member("ended", kEndedWords.at(static_cast<std::size_t>(point.ended)));
+  if (point.axes) {
+    json.member("axes", kAxesWords.at(static_cast<std::size_t>(*point.axes)));
+  }
   writeSettings(json, point.recipe, point.machine);
   json.close();
   return json.take();

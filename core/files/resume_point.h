@@ -1,9 +1,11 @@
 #pragma once
 
+#include "core/files/axes.h"
 #include "core/files/recipe_json.h"
 #include "core/program/input_point.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -26,6 +28,7 @@ struct ResumePoint {
   int pane = 1;                      ///< pane `pane` of `panes`
   int panes = 1;
   Ended ended = Ended::Running;
+  std::optional<Axes> axes; ///< that moved; not known of points of the first version
   bool operator==(const ResumePoint&) const = default;
 };
 
@@ -33,8 +36,9 @@ struct ResumePoint {
 /// also after a power failure.
 [[nodiscard]] std::string writeResumePoint(const ResumePoint& point);
 
-/// From the text of the file; without an origin in it the origin is 0. Reports every wrong or absent value by name with
-/// its unit and range; an unknown key is a warning, a newer version is refused. `file` names it in the problems.
+/// From the text of the file; without an origin in it the origin is 0, without axes these are not known. Reports every
+/// wrong or absent value by name with its unit and range; an unknown key is a warning, a newer version is refused.
+/// `file` names it in the problems.
 [[nodiscard]] Read<ResumePoint> readResumePoint(std::string_view text, std::string_view file);
 
 } // namespace arris::files

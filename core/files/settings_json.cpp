@@ -20,7 +20,6 @@ constexpr int kSettingsVersion = 1;
 constexpr std::array<std::string_view, 2> kLengthUnits{"mm", "inch"};
 constexpr std::array<std::string_view, 2> kAppearances{"light", "dark"};
 constexpr std::array<std::string_view, 2> kKeypads{"touch", "always"};
-constexpr std::array<std::string_view, 2> kDrivenAxes{"simulated", "linuxcnc"};
 
 template <typename Choice> std::string_view word(const std::array<std::string_view, 2>& words, Choice choice) {
   return words.at(static_cast<std::size_t>(choice));
@@ -44,7 +43,7 @@ public:
     } else if (key == "keypad") {
       choice(settings.keypad, kKeypads, key, value);
     } else if (key == "axes") {
-      choice(settings.axes, kDrivenAxes, key, value);
+      choice(settings.axes, kAxesWords, key, value);
     } else if (key == "code") {
       text(settings.code, key, value);
     } else if (key == "recent_patterns") {
@@ -108,7 +107,7 @@ std::string writeSettingsFile(const Settings& settings) {
   json.member("appearance", word(kAppearances, settings.appearance));
   json.member("scale_percent", settings.scale);
   json.member("keypad", word(kKeypads, settings.keypad));
-  json.member("axes", word(kDrivenAxes, settings.axes));
+  json.member("axes", word(kAxesWords, settings.axes));
   json.member("code", settings.code);
   json.member("recent_patterns", std::span<const std::string>(settings.recent));
   json.close();

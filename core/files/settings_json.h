@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/files/axes.h"
 #include "core/files/recipe_json.h"
 
 #include <string>
@@ -12,14 +13,13 @@ namespace arris::files {
 struct Settings {
   enum class LengthUnit { Millimetre, Inch };
   enum class Appearance { Light, Dark };
-  enum class Keypad { Touch, Always };     ///< opens when a field is touched, or also at a click
-  enum class Axes { Simulated, Linuxcnc }; ///< that the window drives
-  std::string language;                    ///< "de", "zh_CN"; empty: that of the system
+  enum class Keypad { Touch, Always }; ///< opens when a field is touched, or also at a click
+  std::string language;                ///< "de", "zh_CN"; empty: that of the system
   LengthUnit lengthUnit = LengthUnit::Millimetre;
   Appearance appearance = Appearance::Light;
   int scale = 100; ///< percent, `kLeastScale` to `kMostScale`
   Keypad keypad = Keypad::Touch;
-  Axes axes = Axes::Simulated;
+  Axes axes = Axes::Simulated;     ///< that the window drives
   std::string code;                ///< fingerprint of the code of the engineering values; empty: they are open
   std::vector<std::string> recent; ///< patterns opened last, the latest first; `kMostRecent` at most
   bool operator==(const Settings&) const = default;

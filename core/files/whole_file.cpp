@@ -184,11 +184,13 @@ Expected<void> writeWholeFile(const path& file, std::string_view text) {
   return writeWholeFile(file, [text](Output& output) { output.write(text); });
 }
 
+// A named pipe that nobody writes to has an end at once; opened otherwise it would be waited for.
 Expected<std::string> readFile(const path& file) {
-  const Descriptor descriptor(open(file.c_str(), O_RDONLY | O_NOCTTY | O_CLOEXEC));
+  const Descriptor descriptor(open(file.c_str(), O_RDONLY | O_NOCTTY | O_CLOEXEC | O_NONBLOCK));
   if (!descriptor.isOpen()) {
     return failure(Code::CannotOpen, file, errno);
   }
+  (void)fcntl(descriptor.number(), F_SETFL, O_RDONLY);
 
   struct stat status {};
 

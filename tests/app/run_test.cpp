@@ -81,6 +81,15 @@ TEST(Run, ResumesOnlyThePatternThatWasBrokenOff) {
   EXPECT_THAT(other.err, HasSubstr("another pattern"));
 }
 
+TEST(Run, ResumesOnlyOnTheAxesThatMoved) {
+  const Scratch scratch;
+  EXPECT_EQ(arris(fastRun(scratch, {"--inject", "emergency-stop@50"})).status, 3);
+  const Outcome other = arris(
+      {"run", sample("triangle.dxf"), "--axes", "linuxcnc", "--resume", "--state-dir", (scratch / "state").string()});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_THAT(other.err, HasSubstr("axes was simulated, now it is linuxcnc"));
+}
+
 TEST(Run, WithoutAJobThatWasBrokenOffHasNothingToResume) {
   const Scratch scratch;
   const Outcome outcome = arris(fastRun(scratch, {"--resume"}));

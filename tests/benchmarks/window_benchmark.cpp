@@ -1,9 +1,11 @@
-// What the operator waits for: from a changed value to the new drawing, and one repaint of a large one. By the clock,
-// not by the processor's time: much of it happens in the background.
+// What the operator waits for: from a changed value to the new drawing, one repaint of a large one, the window made
+// anew in another appearance. By the clock, not by the processor's time: much of it happens in the background.
 
 #include "core/base/numbers.h"
 #include "tests/benchmarks/application.h"
 #include "tests/support/panes.h"
+#include "tests/support/scratch.h"
+#include "ui/main_window.h"
 #include "ui/views/drawing_view.h"
 
 #include <QScrollBar>
@@ -130,6 +132,29 @@ void repaintRunning(benchmark::State& state) {
 }
 
 BENCHMARK(repaintRunning)->Unit(benchmark::kMillisecond);
+
+// The axes go on meanwhile; half a second without an answer ends the job.
+void windowMadeAnew(benchmark::State& state) {
+  needApplication();
+  const test::Scratch scratch;
+  ui::MainWindow window({{}, {scratch / "state"}, control::Pace::Simulated}, waved(1000));
+  window.resize(kLargeView);
+  window.show();
+  bool isPlanned = false;
+  QObject::connect(&window.planner(), &ui::Planner::planned, &window, [&] { isPlanned = true; });
+  window.openPattern("waved.dxf");
+  waitFor(isPlanned);
+  files::Settings settings;
+  for (auto _ : state) {
+    const bool wasDark = settings.appearance == files::Settings::Appearance::Dark;
+    settings.appearance = wasDark ? files::Settings::Appearance::Light : files::Settings::Appearance::Dark;
+    window.preferences().change(settings);
+    QCoreApplication::processEvents();
+    window.repaint();
+  }
+}
+
+BENCHMARK(windowMadeAnew)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace arris

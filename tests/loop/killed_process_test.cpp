@@ -75,8 +75,9 @@ private:
   Controller controller(job->machine, channels);
   TellingAxes axes(job->machine, pipe);
   axes.controller = &controller;
-  RunKeeper keeper({folder}, job, "triangle.dxf", "0123456789abcdef",
-                   [] { return std::string("2031-05-06T07:08:09"); });
+  RunKeeper keeper(
+      {folder}, job, "triangle.dxf", "0123456789abcdef", [] { return std::string("2031-05-06T07:08:09"); },
+      files::Axes::Simulated);
   Supervisor supervisor(job->machine, channels, {[&](const Report& report) { keeper.add(report); }, {}});
   const ControlThread thread(controller, axes, job->machine.period);
   while (true) {

@@ -1,15 +1,25 @@
-// Takes pictures of every page in every language, light and dark, at two sizes and in five states of the machine:
-// arris_screenshots FOLDER [LANGUAGE…]. The window is the real one, with simulated axes in real time.
+// Takes pictures of every page in every language, light and dark, at two sizes and in five states of the machine, and
+// of every part of the pages and what opens beside them with a job loaded: arris_screenshots FOLDER [LANGUAGE…]. The
+// window is the real one, with simulated axes in real time.
 
 #include "tests/support/scratch.h"
+#include "tests/ui/support/page_parts.h"
 #include "ui/main_window.h"
 #include "ui/run_window.h"
 #include "ui/text/translators.h"
+#include "ui/widgets/keypad.h"
+#include "ui/widgets/wipe_cover.h"
 
 #include <QApplication>
+#include <QDialog>
 #include <QDir>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPainter>
+#include <QPixmap>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QTableView>
 #include <QTest>
 
 #include <array>
@@ -129,20 +139,102 @@ private:
   }
 
   void takePages(const QString& folder, const QString& state) {
-    const QDir place(m_folder + QLatin1Char('/') + folder);
-    place.mkpath(QStringLiteral("."));
+    m_place = QDir(m_folder + QLatin1Char('/') + folder);
+    m_place.mkpath(QStringLiteral("."));
     for (QPushButton* page : m_window.findChildren<QPushButton*>(QRegularExpression(QStringLiteral("^page")))) {
       page->click();
-      QTest::qWait(kSettle);
-      const QString file = place.filePath(QStringLiteral("%1-%2.png").arg(page->objectName().mid(4).toLower(), state));
-      m_failed += m_window.grab().save(file) ? 0 : 1;
+      take(page->objectName().mid(4).toLower() + QLatin1Char('-') + state);
     }
+    if (state == QLatin1String("loaded")) {
+      takeParts();
+      takeCorner();
+      takeMoreValues();
+      takeBeside();
+    } else if (state == QLatin1String("running")) {
+      m_window.close();
+      takeDialog(QStringLiteral("job-close"));
+    }
+  }
+
+  void take(const QString& name) {
+    QTest::qWait(kSettle);
+    m_failed += m_window.grab().save(m_place.filePath(name + QStringLiteral(".png"))) ? 0 : 1;
+  }
+
+  void tap(const char* name) {
+    m_window.findChild<QAbstractButton*>(QLatin1String(name))->click();
+  }
+
+  void takeParts() {
+    for (const test::PagePart& part : test::kPageParts) {
+      if (part.part != nullptr) {
+        tap(part.page);
+        tap(part.part);
+        take(QStringLiteral("%1-%2").arg(QLatin1String(part.page).mid(4), QLatin1String(part.part)).toLower());
+      }
+    }
+  }
+
+  void takeCorner() {
+    tap("pageJob");
+    auto* corners = m_window.findChild<QTableView*>(QStringLiteral("corners"));
+    QTest::mouseClick(corners->viewport(), Qt::LeftButton, {},
+                      corners->visualRect(corners->model()->index(1, 1)).center());
+    take(QStringLiteral("job-corner"));
+    corners->setCurrentIndex({});
+    tap("fit");
+  }
+
+  void takeMoreValues() {
+    tap("showMore");
+    const auto* heading = m_window.findChild<QLabel*>(QStringLiteral("moreHeading"));
+    const QString first = heading->text();
+    int page = 1;
+    do {
+      take(QStringLiteral("job-more-%1").arg(page++));
+      tap("moreOn");
+    } while (heading->text() != first);
+    tap("showGrinding");
+  }
+
+  void takeBeside() {
+    tap("pageJob");
+    tap("open");
+    takeDialog(QStringLiteral("job-patterns"));
+    tap("recipes");
+    takeDialog(QStringLiteral("job-recipes"));
+    setKeypadOpens(KeypadOpens::OnEveryTap);
+    QTest::mouseClick(m_window.findChild<QLineEdit*>(QStringLiteral("depth_mm")), Qt::LeftButton);
+    setKeypadOpens(KeypadOpens::OnTouch);
+    take(QStringLiteral("job-keypad"));
+    delete m_window.findChild<Keypad*>();
+    tap("lockScreen");
+    take(QStringLiteral("job-locked"));
+    auto* cover = m_window.findChild<WipeCover*>();
+    cover->hide();
+    Q_EMIT cover->ended();
+  }
+
+  // The dialog as it lies over the window.
+  void takeDialog(const QString& name) {
+    QTest::qWait(kSettle);
+    QPixmap picture = m_window.grab();
+    QPainter painter(&picture);
+    for (QDialog* dialog : m_window.findChildren<QDialog*>()) {
+      if (dialog->isVisible()) {
+        painter.drawPixmap(dialog->frameGeometry().topLeft() - m_window.geometry().topLeft(), dialog->grab());
+        dialog->close();
+      }
+    }
+    painter.end();
+    m_failed += picture.save(m_place.filePath(name + QStringLiteral(".png"))) ? 0 : 1;
   }
 
   static constexpr int kSettle = 30; // ms: layouts settle in turns, reports arrive
 
   QString m_folder;
   QStringList m_languages;
+  QDir m_place; ///< of the language, appearance and size
   test::Scratch m_scratch;
   MainWindow m_window;
   int m_failed = 0;

@@ -15,52 +15,17 @@ namespace {
 constexpr double kPanelGap = 22;
 constexpr double kTimeAxisHeight = 82;
 constexpr double kPanelHeightForWords = 215;
+constexpr double kTickPitch = 48; // of the values of an axis
 constexpr double kLeastPanelHeight = 76;
 constexpr double kTickLength = 8;
 constexpr double kOverlaidLine = 8;
 constexpr double kPrintTolerance = 0.2;
 
-// Values of the right-hand axis nearer than this share of it would stand on each other.
-constexpr double kTickRoom = 0.25;
-
-// The distance is shown over at least this share of the wheel radius.
-constexpr double kLeastDistanceRange = 0.02;
-
-// An end of the travel is shown where it is nearer to the way than this share of it.
-constexpr double kTravelNear = 0.25;
-
 constexpr double kLineBreak = std::numeric_limits<double>::quiet_NaN();
-
-bool isPosition(Panel panel) {
-  return panel == Panel::PositionX || panel == Panel::PositionY;
-}
-
-bool isSymmetric(Panel panel) {
-  return panel != Panel::Speed && panel != Panel::Distance && !isPosition(panel);
-}
-
-// What the speed or acceleration of a panel is held against.
-std::optional<double> limitFor(Panel panel, const ProfileLimits& limits) {
-  switch (panel) {
-  case Panel::AccelerationX:
-    return limits.accelX;
-  case Panel::AccelerationY:
-    return limits.accelY;
-  case Panel::SpeedX:
-  case Panel::SpeedY:
-  case Panel::Speed:
-    return limits.feed;
-  case Panel::Distance:
-  case Panel::PositionX:
-  case Panel::PositionY:
-    break;
-  }
-  return std::nullopt;
-}
 
 // Where the travel ends of the axis whose position a panel shows.
 std::optional<double> travelFor(Panel panel, const ProfileLimits& limits) {
-  return panel == Panel::PositionX ? limits.travelX : limits.travelY;
+  return panel == Panel::PositionX ? limits.travelX : panel == Panel::PositionY ? limits.travelY : std::nullopt;
 }
 
 QVector<QCPGraphData> asGraphData(const QPolygonF& curve, double scale) {
@@ -70,11 +35,6 @@ QVector<QCPGraphData> asGraphData(const QPolygonF& curve, double scale) {
     data.append({point.x(), point.y() * scale});
   }
   return data;
-}
-
-// A value of the right-hand axis with the words beside it.
-void addTick(QCPAxis* axis, double value, const QString& words) {
-  axis->ticker().dynamicCast<QCPAxisTickerText>()->addTick(value, words);
 }
 
 } // namespace
@@ -89,6 +49,8 @@ ProfilePlot::ProfilePlot(const FigureStyle& style, PlotContent content, QWidget*
     m_panels.back().rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
     addInstant(m_panels.back());
   }
+  connect(m_panels.front().rect->axis(QCPAxis::atBottom), QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), this,
+          &ProfilePlot::fitPositions);
   m_bands = new CornerBands(m_panels.front().rect, style);
   // All panels are equally high: the corners' labels and the time axis stand in rows of their own.
   addSpace(0, m_bands->labelHeight());
@@ -149,7 +111,7 @@ void ProfilePlot::addPanel(Panel panel, bool last) {
     connect(theirs, QOverload<const QCPRange&>::of(&QCPAxis::rangeChanged), mine,
             QOverload<const QCPRange&>::of(&QCPAxis::setRange));
   }
-  m_panels.push_back({panel, rect, {}, nullptr});
+  m_panels.push_back({panel, rect, {}, {}, {}, nullptr});
 }
 
 QString ProfilePlot::axisTitle(Panel panel, bool inWords, LengthUnit unit) {
@@ -181,7 +143,9 @@ QString ProfilePlot::titleInMillimetres(Panel panel, bool inWords) {
 // Words where they fit beside the panels, symbols where they do not.
 void ProfilePlot::setAxisTitles(double height) {
   const double each = (height / m_style.unit - kTimeAxisHeight) / static_cast<double>(m_panels.size()) - kPanelGap;
+  const int ticks = std::clamp(static_cast<int>(each / kTickPitch), 2, 4);
   for (const PanelParts& panel : m_panels) {
+    panel.rect->axis(QCPAxis::atLeft)->ticker()->setTickCount(ticks);
     panel.rect->axis(QCPAxis::atLeft)->setLabel(axisTitle(panel.kind, each > kPanelHeightForWords, m_style.lengths));
   }
 }
@@ -210,8 +174,11 @@ void ProfilePlot::setProfiles(const std::vector<ProfileCurves>& profiles, const 
   m_bands->show(m_cornerBands, limits.corners, m_panels.back().rect);
   setTimes(profiles);
   for (PanelParts& panel : m_panels) {
+    panel.rect->axis(QCPAxis::atLeft)->setTickLabels(!profiles.empty()); // a scale of nothing says nothing
     panel.graphs.clear();
     panel.rect->axis(QCPAxis::atRight)->ticker().dynamicCast<QCPAxisTickerText>()->clear();
+    panel.curves.clear();
+    panel.travel = travelFor(panel.kind, limits);
     setRange(panel, profiles, limits);
     addLimits(panel, limits);
     for (const ProfileCurves& curves : profiles) {
@@ -221,6 +188,7 @@ void ProfilePlot::setProfiles(const std::vector<ProfileCurves>& profiles, const 
   if (!keepView) {
     showWork();
   }
+  fitPositions();
   refresh();
 }
 
@@ -240,131 +208,7 @@ void ProfilePlot::addCurve(PanelParts& panel, const ProfileCurves& curves, bool 
   graph->setPen(under ? overlaidPen(m_style, colorOf(panel.kind)) : m_style.pen(colorOf(panel.kind), kLine + 0.5));
   graph->data()->set(asGraphData(curveOf(curves, panel.kind), shown(1)), true);
   panel.graphs.push_back(graph);
-}
-
-void ProfilePlot::setRange(const PanelParts& panel, const std::vector<ProfileCurves>& profiles,
-                           const ProfileLimits& limits) const {
-  const Panel kind = panel.kind;
-  double least = std::numeric_limits<double>::infinity();
-  double most = -least;
-  const auto include = [&](double value) {
-    least = std::min(least, value);
-    most = std::max(most, value);
-  };
-  for (const ProfileCurves& curves : profiles) {
-    const auto [low, high] = curves.range[static_cast<std::size_t>(kind)];
-    if (kind != Panel::Distance || high > 0) {
-      include(low);
-      include(high);
-    }
-  }
-  if (kind == Panel::Distance) {
-    include(limits.wheelRadius.value_or(0));
-    for (const ProfileLimits::Corner& corner : limits.corners) {
-      include(corner.reliefRadius.value_or(limits.wheelRadius.value_or(0)));
-    }
-  } else if (isPosition(kind)) {
-    for (const double end : {0.0, travelFor(kind, limits).value_or(0)}) { // where they are near; else the way is small
-      if (least <= most && std::min(std::abs(end - least), std::abs(end - most)) < kTravelNear * (most - least)) {
-        include(end);
-      }
-    }
-  } else {
-    const double limit = limitFor(kind, limits).value_or(0);
-    include(0);
-    include(limit);
-    include(isSymmetric(kind) ? -limit : 0);
-  }
-  if (least > most) {
-    least = most = 0;
-  }
-  if (isSymmetric(kind)) {
-    most = std::max(most, -least);
-    least = -most;
-  }
-  if (kind == Panel::Distance) {
-    most = std::max(most, least * (1 + kLeastDistanceRange));
-  }
-  const double room = most > least ? 0.12 * (most - least) : 1;
-  const double below = kind == Panel::Speed ? 0 : room;
-  for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight}) {
-    panel.rect->axis(side)->setRange(shown(least - below), shown(most + room));
-  }
-}
-
-void ProfilePlot::addLimits(PanelParts& panel, const ProfileLimits& limits) {
-  if (panel.kind == Panel::Distance) {
-    addReliefLimits(panel, limits);
-    return;
-  }
-  if (isPosition(panel.kind)) {
-    addTravelLimits(panel, limits);
-    return;
-  }
-  const bool acceleration = panel.kind == Panel::AccelerationX || panel.kind == Panel::AccelerationY;
-  const std::optional<double> limit = limitFor(panel.kind, limits);
-  if (!limit) {
-    return;
-  }
-  const QString words = acceleration ? tr("limit %1") : tr("feed %1");
-  addLimitLine(panel, *limit, words.arg(m_style.lengthText(*limit, 2)));
-  if (isSymmetric(panel.kind)) {
-    addLimitLine(panel, -*limit, words.arg(m_style.lengthText(-*limit, 2)));
-  }
-}
-
-void ProfilePlot::addTravelLimits(PanelParts& panel, const ProfileLimits& limits) {
-  if (const std::optional<double> end = travelFor(panel.kind, limits)) {
-    for (const double at : {0.0, *end}) {
-      addLimitLine(panel, at, tr("travel %1").arg(m_style.lengthText(at, 1)));
-    }
-  }
-}
-
-void ProfilePlot::addLimitLine(PanelParts& panel, double value, const QString& words) {
-  QCPGraph* line = addGraph(panel.rect->axis(QCPAxis::atBottom), panel.rect->axis(QCPAxis::atLeft));
-  line->setPen(limitPen(m_style));
-  const double far = 1e7; // s: beyond any profile
-  line->data()->set({{-far, shown(value)}, {far, shown(value)}}, true);
-  panel.graphs.push_back(line);
-  addTick(panel.rect->axis(QCPAxis::atRight), shown(value), words);
-}
-
-// R all along, and R + d of each corner over its band; their values stand together where they are too near.
-void ProfilePlot::addReliefLimits(PanelParts& panel, const ProfileLimits& limits) {
-  if (!limits.wheelRadius) {
-    return;
-  }
-  const double radius = *limits.wheelRadius;
-  const QString atRadius = QStringLiteral("R %1").arg(m_style.lengthText(radius, 3));
-  addLimitLine(panel, radius, atRadius);
-  QCPGraph* relief = addGraph(panel.rect->axis(QCPAxis::atBottom), panel.rect->axis(QCPAxis::atLeft));
-  relief->setPen(reliefPen(m_style));
-  panel.graphs.push_back(relief);
-  double least = std::numeric_limits<double>::infinity();
-  double most = 0;
-  for (const CornerBand& band : m_cornerBands) {
-    const auto corner = std::find_if(limits.corners.begin(), limits.corners.end(),
-                                     [&](const ProfileLimits::Corner& c) { return c.id == band.corner; });
-    if (band.zone == Zone::Corner && corner != limits.corners.end() && corner->reliefRadius) {
-      const double value = shown(*corner->reliefRadius);
-      relief->addData({band.from, band.to, band.to}, {value, value, kLineBreak}, true);
-      least = std::min(least, *corner->reliefRadius);
-      most = std::max(most, *corner->reliefRadius);
-    }
-  }
-  if (most == 0) {
-    return;
-  }
-  const QString lower = m_style.lengthText(least, 2);
-  const QString upper = m_style.lengthText(most, 2);
-  const QString atRelief = QStringLiteral("R + d %1").arg(lower == upper ? lower : lower + QStringLiteral("–") + upper);
-  QCPAxis* right = panel.rect->axis(QCPAxis::atRight);
-  if (shown(least - radius) > kTickRoom * right->range().size()) {
-    addTick(right, shown(least), atRelief);
-  } else {
-    addTick(right, shown(radius), atRelief + QLatin1Char('\n') + atRadius);
-  }
+  panel.curves.push_back(graph);
 }
 
 void ProfilePlot::selectCorner(int corner) {

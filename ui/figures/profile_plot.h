@@ -54,7 +54,9 @@ private:
   struct PanelParts {
     Panel kind = Panel::SpeedX;
     QCPAxisRect* rect = nullptr;
-    std::vector<QCPGraph*> graphs;
+    std::vector<QCPGraph*> graphs; ///< curves and limits
+    std::vector<QCPGraph*> curves;
+    std::optional<double> travel; ///< mm: where that of the axis ends whose position is shown
     QCPItemStraightLine* instant = nullptr;
   };
 
@@ -65,8 +67,9 @@ private:
   void setTimes(const std::vector<ProfileCurves>& profiles);
   void addCurve(PanelParts& panel, const ProfileCurves& curves, bool under);
   void setRange(const PanelParts& panel, const std::vector<ProfileCurves>& profiles, const ProfileLimits& limits) const;
+  void fitPositions();
   void addLimits(PanelParts& panel, const ProfileLimits& limits);
-  void addTravelLimits(PanelParts& panel, const ProfileLimits& limits);
+  void addTravelLimits(PanelParts& panel);
   void addLimitLine(PanelParts& panel, double value, const QString& words);
   void addReliefLimits(PanelParts& panel, const ProfileLimits& limits);
   void setAxisTitles(double height);

@@ -155,7 +155,7 @@ void FindingsPanel::placeCard() {
   const bool isAlone = m_wide && width() < kSideBySideFrom;
   const int tab = indexOf(m_cardArea);
   if (isAlone && tab < 0) {
-    addTab(m_cardArea, tr("Corner"));
+    addTab(m_cardArea, tr("Details"));
   } else if (!isAlone && tab >= 0) {
     removeTab(tab);
     m_cornersLayout->addWidget(m_cardArea, 1);

@@ -10,6 +10,7 @@
 #include "ui/views/drawing_view.h"
 #include "ui/widgets/busy_bar.h"
 #include "ui/widgets/busy_row.h"
+#include "ui/widgets/corner_card.h"
 #include "ui/widgets/signs.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/wheel_bar.h"
@@ -127,6 +128,7 @@ QWidget* JobPage::makeHeader() {
     button->setAccessibleName(what);
     button->setProperty("sign", text.size() == 1);
     layout->addWidget(button);
+    m_zooms.push_back(button);
     connect(button, &QToolButton::clicked, this, [this, drawing, plot] {
       if (m_viewButtons->checkedId() != ProfileOnly) {
         drawing();
@@ -266,13 +268,21 @@ void JobPage::showState() {
     sign = base::Severity::Warning;
   } else if (!m_plan) {
     m_state->setText(m_planner.isBusy() ? tr("Reading and planning…") : tr("No pattern is open."));
+  } else if (const int corner = m_findings->selectedCorner();
+             corner > 0 && m_findings->isHidden() && corner <= static_cast<int>(m_plan->job.toolpath.corners.size())) {
+    m_state->setText(CornerCard::inShort(m_plan->job, corner));
   } else if (m_plan->job.canBeGround()) {
+    const auto unbroken = [](double time) {
+      return durationText(time, QLocale()).replace(QLatin1Char(' '), QChar(QChar::Nbsp));
+    };
     m_state->setText(
-        tr("Grinding: %1\nWhole program: %2")
-            .arg(durationText(m_plan->job.working, QLocale()), durationText(m_plan->job.duration, QLocale())));
+        tr("Grinding: %1\nProgram: %2").arg(unbroken(m_plan->job.working), unbroken(m_plan->job.duration)));
   } else {
     m_state->setText(tr("Cannot be ground: see the problems."));
     sign = base::Severity::Error;
+  }
+  for (QToolButton* zoom : m_zooms) {
+    zoom->setEnabled(m_plan != nullptr);
   }
   m_stateSign->setVisible(sign.has_value());
   m_stateSign->setPixmap(sign ? signIcon(*sign).pixmap(kStateSignSize) : QPixmap());
@@ -298,6 +308,7 @@ void JobPage::selectCorner(int corner) {
   m_findings->selectCorner(corner);
   m_drawing->selectCorner(corner);
   m_profile->selectCorner(corner);
+  showState();
 }
 
 void JobPage::showProblem(const base::Problem& problem) {
@@ -323,6 +334,7 @@ void JobPage::arrange() {
   m_split->setSizes(m_beside ? QList{width() - kRecipeWidth - kFindingsWidth, kFindingsWidth} : QList{5800, 4200});
   m_views->setOrientation(m_beside ? Qt::Vertical : Qt::Horizontal);
   m_views->setSizes({5000, 5000});
+  showState(); // with the figures of a corner where these have no room below
 }
 
 // What stands side by side stands below each other in a narrower window; while the page is hidden it is not arranged

@@ -5,9 +5,12 @@
 
 #include <QWidget>
 
+#include <vector>
+
 class QButtonGroup;
 class QLabel;
 class QSplitter;
+class QToolButton;
 
 namespace arris::ui {
 
@@ -72,6 +75,7 @@ private:
   BusyBar* m_busy;
   BusyRow* m_busyRow; // over the drawing, so that nothing moves
   QButtonGroup* m_viewButtons;
+  std::vector<QToolButton*> m_zooms;
   QSplitter* m_views;
   QSplitter* m_split;
   bool m_profileShown = false;

@@ -2,6 +2,7 @@
 
 #include "core/files/run_record.h"
 #include "core/recipe/fields.h"
+#include "ui/text/file_texts.h"
 #include "ui/text/quantities.h"
 #include "ui/widgets/number_edit.h"
 
@@ -20,6 +21,9 @@ using files::Verdict;
 namespace {
 
 constexpr int kApart = 12; // px
+constexpr int kCorrectionWidth = 224;
+constexpr int kLoadWidth = 520;
+constexpr int kNameWidth = 260;
 
 // One press of − or +, mm.
 double correctionStep() {
@@ -91,13 +95,15 @@ QWidget* OrderPanel::makeOrder() {
   m_wanted->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("0000")));
   m_load = new QPushButton;
   m_load->setObjectName(QStringLiteral("loadJob"));
+  m_load->setMaximumWidth(kLoadWidth);
   connect(m_load, &QPushButton::clicked, this, &OrderPanel::load);
-  row->addWidget(new QLabel(tr("Order")));
+  row->addWidget(new QLabel(tr("Panes")));
   row->addWidget(m_fewer);
   row->addWidget(m_wanted);
   row->addWidget(m_more);
   row->addSpacing(kApart);
-  row->addWidget(m_load, 1);
+  row->addWidget(m_load, 100); // to its greatest width
+  row->addStretch(1);
   return box;
 }
 
@@ -119,7 +125,8 @@ QWidget* OrderPanel::makeCorrection() {
   connect(m_larger, &QPushButton::clicked, this,
           [this] { changeCorrection(m_planner.recipe().sizeCorrection + correctionStep()); });
   row->addWidget(m_smaller, 0, Qt::AlignBottom);
-  row->addWidget(m_correction, 1);
+  m_correction->setFixedWidth(kCorrectionWidth);
+  row->addWidget(m_correction);
   row->addWidget(m_larger, 0, Qt::AlignBottom);
   row->addStretch(1);
   return box;
@@ -160,11 +167,15 @@ void OrderPanel::showState() {
   m_hint->setText(hint());
   const bool isDone = order.isComplete() && order.open() == OrderBook::Open::None;
   const int pane = isDone ? std::min(order.pane(), order.toGrind()) : order.pane();
-  m_counts->setText(tr("Pane %1 of %2: %3 good, %4 rejected")
-                        .arg(pane)
-                        .arg(std::max(order.toGrind(), pane))
-                        .arg(order.good())
-                        .arg(order.rejects()));
+  const QString counts = tr("Pane %1 of %2: %3 good, %4 rejected")
+                             .arg(pane)
+                             .arg(std::max(order.toGrind(), pane))
+                             .arg(order.good())
+                             .arg(order.rejects());
+  const PlanPointer& loaded = m_machine.loaded();
+  m_counts->setText(loaded ? fontMetrics().elidedText(nameOfFile(loaded->import->file), Qt::ElideMiddle, kNameWidth) +
+                                 QLatin1Char('\n') + counts
+                           : counts);
   m_good->setEnabled(allowed.judge && order.open() == OrderBook::Open::Ended);
   m_reject->setEnabled(allowed.judge && order.open() != OrderBook::Open::None);
   m_wanted->setText(QString::number(order.wanted()));
@@ -189,14 +200,16 @@ QString OrderPanel::hint() const {
     return m_correction->complaint();
   }
   if (order.open() == OrderBook::Open::Broken) {
-    return tr("Pane %1 was broken off: cycle start goes on with it. “Reject”, or loading a job, gives it up.")
+    return tr("Pane %1 was broken off: after the alarm is acknowledged, CYCLE START goes on with it. “Reject”, or "
+              "loading a "
+              "job, gives it up.")
         .arg(order.pane());
   }
   if (job == JobState::Interrupted) {
     return tr("The pane is interrupted: resume it, or stop it, before a job is loaded.");
   }
   if (plan && !plan->job.canBeGround()) {
-    return tr("What is planned on the page Job cannot be ground: nothing can be loaded before that is mended.");
+    return tr("What is planned on the page Job cannot be ground: nothing can be loaded before that is put right.");
   }
   if (plan && !m_planner.isPresent() && !m_planner.isBusy()) {
     return tr("The page Job shows other values than it has: nothing can be loaded before they are planned.");

@@ -131,9 +131,10 @@ void PatternDialog::addEntry(const ShelfEntry& entry) {
   const QString name = nameOfFile(entry.path);
   const bool isFromAnywhere = m_shelf.list() == ShelfList::Recent;
   const QString folder = isFromAnywhere ? QLatin1Char('\n') + breakableAtFolders(folderOfFile(entry.path)) : QString();
-  const QIcon sign = style()->standardIcon(entry.isFolder ? QStyle::SP_DirIcon : QStyle::SP_FileIcon);
-  const QPixmap grey = sign.pixmap(kEntrySign, QIcon::Disabled); // colour is kept for what is abnormal or active
-  new QListWidgetItem(grey, name + folder, m_entries);
+  auto* item = new QListWidgetItem(name + folder, m_entries);
+  if (entry.isFolder) { // grey: colour is kept for what is abnormal or active
+    item->setIcon(style()->standardIcon(QStyle::SP_DirIcon).pixmap(kEntrySign, QIcon::Disabled));
+  }
 }
 
 // What is looked at stays so where the list has it; else the first entry is, as soon as the list is there.

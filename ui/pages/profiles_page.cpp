@@ -26,9 +26,9 @@ constexpr double kRoomAtCorner = 0.1; // of its time, before and after
 
 } // namespace
 
-ProfilesPage::ProfilesPage(Planner& planner, ProfileFiles& files, QWidget* parent)
-    : QWidget(parent), m_planner(planner), m_files(files), m_plan(planner.plan()), m_planned(planner.curves()),
-      m_speeds(new ProfilePlot(screenStyle(kPlotUnit), PlotContent::Speeds)),
+ProfilesPage::ProfilesPage(Planner& planner, ProfileFiles& files, ProfileSight& sight, QWidget* parent)
+    : QWidget(parent), m_planner(planner), m_files(files), m_sight(sight), m_plan(planner.plan()),
+      m_planned(planner.curves()), m_speeds(new ProfilePlot(screenStyle(kPlotUnit), PlotContent::Speeds)),
       m_positions(new ProfilePlot(screenStyle(kPlotUnit), PlotContent::Positions)),
       m_path(new PathPlot(screenStyle(kPlotUnit))), m_plots(new QStackedWidget), m_values(new InstantValues),
       m_contents(new QButtonGroup(this)), m_stateSign(new QLabel), m_state(new QLabel),
@@ -45,7 +45,36 @@ ProfilesPage::ProfilesPage(Planner& planner, ProfileFiles& files, QWidget* paren
   connectFiles();
   m_openIsRecord = m_files.lastOpened() && files::isRecord(m_files.lastOpened()->file);
   m_busy->setVisible(m_files.isBusy());
+  const ProfileSight before = m_sight;
   showProfiles(View::Work);
+  lookAgain(before);
+}
+
+ProfilesPage::~ProfilesPage() {
+  m_sight.times.reset();
+  if (!m_shown.empty() &&
+      !m_anew.at(content() == ProfileSight::Positions ? ProfileSight::Positions : ProfileSight::Speeds)) {
+    m_sight.times = timePlot().shownTimes();
+  }
+}
+
+void ProfilesPage::lookAgain(const ProfileSight& before) {
+  showValuesOf(content());
+  if (m_shown.empty()) {
+    return;
+  }
+  if (before.pass && *before.pass < m_passes.size()) {
+    m_sight.pass = before.pass;
+    markCorner(m_passes[*before.pass].corner);
+  }
+  if (before.times) {
+    for (const Content each : {ProfileSight::Speeds, ProfileSight::Positions}) {
+      m_anew.at(each) = false;
+    }
+    m_speeds->showTimes(before.times->first, before.times->second);
+    m_positions->showTimes(before.times->first, before.times->second);
+  }
+  pointAt(before.instant);
 }
 
 QToolButton* ProfilesPage::addButton(QBoxLayout& layout, const QString& text, const char* name, const QString& what,
@@ -71,10 +100,13 @@ QWidget* ProfilesPage::makeFileButtons() {
             [this] { askForFile(); });
   m_back = addButton(*layout, tr("Planned"), "profilesPlanned", tr("Back to the planned profile alone"),
                      [this] { showPlanned(); });
-  m_overlay = addButton(*layout, tr("Over the plan"), "profilesOverlay", tr("Show the plan under the open file"),
-                        [this] { showProfiles(View::Keep); });
+  m_overlay =
+      addButton(*layout, tr("Over the plan"), "profilesOverlay", tr("Show the plan under the open file"), [this] {
+        m_sight.isOverPlan = m_overlay->isChecked();
+        showProfiles(View::Keep);
+      });
   m_overlay->setCheckable(true);
-  m_overlay->setChecked(true);
+  m_overlay->setChecked(m_sight.isOverPlan);
   layout->addStretch(1);
   QToolButton* save = addButton(*layout, tr("Picture…"), "profilesSave", tr("Save a picture as SVG, PNG or PDF"),
                                 [this] { askForPicture(); });
@@ -91,7 +123,7 @@ void ProfilesPage::addContent(QBoxLayout& layout, Content content, const QString
                               const QString& what) {
   QToolButton* button = addButton(layout, text, name, what, [this] { showContent(); });
   button->setCheckable(true);
-  button->setChecked(content == Speeds);
+  button->setChecked(content == m_sight.content);
   m_contents->addButton(button, content);
 }
 
@@ -100,10 +132,10 @@ QWidget* ProfilesPage::makeViewButtons() {
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(6);
-  addContent(*layout, Speeds, tr("Speeds"), "profilesSpeeds",
+  addContent(*layout, ProfileSight::Speeds, tr("Speeds"), "profilesSpeeds",
              tr("Velocities, accelerations and distance to the corner over time"));
-  addContent(*layout, Positions, tr("Positions"), "profilesPositions", tr("X and Y over time"));
-  addContent(*layout, Path, tr("Path"), "profilesPath", tr("The way of the wheel in the plane"));
+  addContent(*layout, ProfileSight::Positions, tr("Positions"), "profilesPositions", tr("X and Y over time"));
+  addContent(*layout, ProfileSight::Path, tr("Path"), "profilesPath", tr("The way of the wheel in the plane"));
   layout->addStretch(1);
   QToolButton* previous = addButton(*layout, QStringLiteral("◀"), "profilesPreviousCorner", tr("Previous corner"),
                                     [this] { goToNextCorner(-1); });
@@ -143,6 +175,7 @@ QWidget* ProfilesPage::makePlots() {
   m_speeds->setObjectName(QStringLiteral("speedsPlot"));
   m_positions->setObjectName(QStringLiteral("positionsPlot"));
   m_path->setObjectName(QStringLiteral("pathPlot"));
+  m_plots->setCurrentIndex(m_sight.content);
   return m_plots;
 }
 
@@ -178,7 +211,7 @@ void ProfilesPage::connectFiles() {
   });
   connect(&m_files, &ProfileFiles::opened, this, [this] {
     m_openIsRecord = files::isRecord(m_files.lastOpened()->file);
-    m_instant.reset();
+    m_sight.instant.reset();
     showProfiles(View::Work);
   });
   connect(&m_files, &ProfileFiles::saved, this, [this](const std::filesystem::path& file) {
@@ -194,7 +227,7 @@ void ProfilesPage::showPlan(const PlanPointer& plan) {
   m_plan = plan;
   if (m_planned && (another || !plan->job.canBeGround())) {
     m_planned.reset();
-    m_instant.reset();
+    m_sight.instant.reset();
     showProfiles(View::Work);
   }
   showState();
@@ -212,7 +245,7 @@ ProfilesPage::Content ProfilesPage::content() const {
   return static_cast<Content>(m_contents->checkedId());
 }
 
-std::array<PointedPlot*, ProfilesPage::ContentCount> ProfilesPage::plots() const {
+std::array<PointedPlot*, ProfileSight::ContentCount> ProfilesPage::plots() const {
   return {m_speeds, m_positions, m_path};
 }
 
@@ -227,14 +260,14 @@ void ProfilesPage::markCorner(int corner) {
 }
 
 ProfilePlot& ProfilesPage::timePlot() const {
-  return content() == Positions ? *m_positions : *m_speeds;
+  return content() == ProfileSight::Positions ? *m_positions : *m_speeds;
 }
 
 void ProfilesPage::showProfiles(View view) {
   const std::vector<CornerPass> before = m_passes;
   m_shown.clear();
   const CurvesPointer opened = actual();
-  if (m_planned && (!opened || m_overlay->isChecked())) {
+  if (m_planned && (!opened || m_sight.isOverPlan)) {
     m_shown.push_back(*m_planned);
     m_shown.back().name = tr("Plan");
   }
@@ -246,7 +279,7 @@ void ProfilesPage::showProfiles(View view) {
                                [](const CornerPass& a, const CornerPass& b) { return a.corner == b.corner; });
   const bool anew = !same || view == View::Work;
   if (anew) {
-    m_pass.reset();
+    m_sight.pass.reset();
   }
   m_stale.fill(true);
   for (bool& each : m_anew) {
@@ -256,7 +289,7 @@ void ProfilesPage::showProfiles(View view) {
   if (anew) {
     markCorner(0);
   }
-  pointAt(m_shown.empty() ? std::nullopt : m_instant);
+  pointAt(m_shown.empty() ? std::nullopt : m_sight.instant);
   showState();
 }
 
@@ -268,14 +301,19 @@ void ProfilesPage::showEvent(QShowEvent* event) {
 // Only the plot that is seen, and only while it is: profiles are long, and plans change with every value.
 void ProfilesPage::feed() {
   const Content now = content();
-  if (isVisible() && m_stale.at(now)) {
-    feedPlot(now, !m_anew.at(now));
-    m_stale.at(now) = m_anew.at(now) = false;
+  if (!isVisible() || !m_stale.at(now)) {
+    return;
+  }
+  const bool isAnew = m_anew.at(now);
+  feedPlot(now, !isAnew);
+  m_stale.at(now) = m_anew.at(now) = false;
+  if (isAnew && m_sight.pass) {
+    showPass(*m_sight.pass);
   }
 }
 
 void ProfilesPage::feedPlot(Content content, bool keepView) {
-  if (content != Path) {
+  if (content != ProfileSight::Path) {
     timePlot().setProfiles(m_shown, limits(), keepView);
     return;
   }
@@ -285,21 +323,22 @@ void ProfilesPage::feedPlot(Content content, bool keepView) {
 // The time that was shown stays, and the corner.
 void ProfilesPage::showContent() {
   const Content now = content();
-  const std::pair<double, double> times = (m_before == Positions ? m_positions : m_speeds)->shownTimes();
-  const bool wasFresh = m_anew.at(now);
+  const Content before = m_sight.content;
+  const std::pair<double, double> times = (before == ProfileSight::Positions ? m_positions : m_speeds)->shownTimes();
+  m_sight.content = now;
   m_plots->setCurrentIndex(now);
   feed();
-  if (now != Path && m_before != Path && now != m_before) {
+  if (now != ProfileSight::Path && before != ProfileSight::Path && now != before) {
     timePlot().showTimes(times.first, times.second);
-  } else if (now != m_before && wasFresh && m_pass) {
-    goToPass(*m_pass);
   }
-  if (now != m_before) {
-    static constexpr std::array kPlaces{Panel::PositionX, Panel::PositionY, Panel::Speed, Panel::Distance};
-    m_values->setPanels(now == Speeds ? panelsOf(PlotContent::Speeds) : std::span<const Panel>(kPlaces));
-  }
-  m_before = now;
-  pointAt(m_instant);
+  showValuesOf(now);
+  pointAt(m_sight.instant);
+}
+
+void ProfilesPage::showValuesOf(Content content) {
+  static constexpr std::array kPlaces{Panel::PositionX, Panel::PositionY, Panel::Speed, Panel::Distance};
+  m_values->setPanels(content == ProfileSight::Speeds ? panelsOf(PlotContent::Speeds)
+                                                      : std::span<const Panel>(kPlaces));
 }
 
 void ProfilesPage::showState() {
@@ -336,6 +375,7 @@ void ProfilesPage::showState() {
 void ProfilesPage::showEnabled() {
   const bool isOpen = actual() != nullptr;
   m_back->setEnabled(isOpen || m_files.isBusy());
+  m_overlay->setVisible(isOpen);
   m_overlay->setEnabled(isOpen && m_planned);
   m_saveProfile->setEnabled(m_openIsRecord || m_planned);
   m_saveSheet->setEnabled(m_plan != nullptr);
@@ -379,13 +419,19 @@ void ProfilesPage::askForFile() {
 void ProfilesPage::goToNextCorner(int step) {
   const auto count = static_cast<int>(m_passes.size());
   if (count > 0) {
-    const int from = m_pass ? static_cast<int>(*m_pass) : (step > 0 ? -1 : count);
+    const int from = m_sight.pass ? static_cast<int>(*m_sight.pass) : (step > 0 ? -1 : count);
     goToPass(static_cast<std::size_t>((from + step + count) % count));
   }
 }
 
-// A run that was held comes to the corner later than planned: both are in view.
 void ProfilesPage::goToPass(std::size_t at) {
+  m_sight.pass = at;
+  showPass(at);
+  pointAt(m_passes.at(at).middle);
+}
+
+// A run that was held comes to the corner later than planned: both are in view.
+void ProfilesPage::showPass(std::size_t at) {
   const CornerPass& pass = m_passes.at(at);
   double from = pass.from;
   double to = pass.to;
@@ -396,28 +442,27 @@ void ProfilesPage::goToPass(std::size_t at) {
       to = std::max(to, others[at].to);
     }
   }
-  m_pass = at;
   for (ProfilePlot* plot : {m_speeds, m_positions}) {
     plot->selectCorner(pass.corner);
     plot->showTimes(from - kRoomAtCorner * (to - from), to + kRoomAtCorner * (to - from));
   }
   m_path->showPass(pass);
-  pointAt(pass.middle);
 }
 
 // Tapped: it comes after the time that was pointed at. A corner can be passed more than once.
 void ProfilesPage::selectCorner(int corner) {
   const auto pass = std::find_if(m_passes.begin(), m_passes.end(), [&](const CornerPass& candidate) {
-    return candidate.corner == corner && m_instant && *m_instant >= candidate.from && *m_instant <= candidate.to;
+    return candidate.corner == corner && m_sight.instant && *m_sight.instant >= candidate.from &&
+           *m_sight.instant <= candidate.to;
   });
   if (pass != m_passes.end()) {
-    m_pass = static_cast<std::size_t>(pass - m_passes.begin());
+    m_sight.pass = static_cast<std::size_t>(pass - m_passes.begin());
     markCorner(corner);
   }
 }
 
 void ProfilesPage::pointAt(std::optional<double> time) {
-  m_instant = time;
+  m_sight.instant = time;
   for (PointedPlot* plot : plots()) {
     plot->markInstant(time);
   }

@@ -4,6 +4,7 @@
 #include "ui/figures/profile_path.h"
 #include "ui/presenters/planner.h"
 #include "ui/presenters/profile_files.h"
+#include "ui/presenters/profile_sight.h"
 
 #include <QWidget>
 
@@ -34,7 +35,12 @@ class ProfilesPage : public QWidget {
   Q_OBJECT
 
 public:
-  ProfilesPage(Planner& planner, ProfileFiles& files, QWidget* parent = nullptr);
+  ProfilesPage(Planner& planner, ProfileFiles& files, ProfileSight& sight, QWidget* parent = nullptr);
+  ~ProfilesPage() override; ///< what is looked at stands in the sight
+  ProfilesPage(const ProfilesPage&) = delete;
+  ProfilesPage& operator=(const ProfilesPage&) = delete;
+  ProfilesPage(ProfilesPage&&) = delete;
+  ProfilesPage& operator=(ProfilesPage&&) = delete;
 
   /// Shows an exported profile (CSV) or the record of a run. Where it cannot be read, what is shown stays and the
   /// reason is told.
@@ -59,7 +65,7 @@ protected:
 private:
   enum class View { Keep, Work };
 
-  enum Content { Speeds, Positions, Path, ContentCount };
+  using Content = ProfileSight::Content;
 
   QWidget* makeFileButtons();
   QWidget* makeViewButtons();
@@ -73,6 +79,8 @@ private:
   void showPlan(const PlanPointer& plan);
   void showProfiles(View view);
   void showContent();
+  void showValuesOf(Content content);
+  void lookAgain(const ProfileSight& before);
   void feed();
   void feedPlot(Content content, bool keepView);
   void showState();
@@ -86,33 +94,32 @@ private:
   void askForJobSheet();
   void goToNextCorner(int step);
   void goToPass(std::size_t at);
+  void showPass(std::size_t at);
   void selectCorner(int corner);
   void markCorner(int corner);
   void pointAt(std::optional<double> time);
   void beginSaving();
   void tellProblem(const base::Problem& problem);
   [[nodiscard]] Content content() const;
-  [[nodiscard]] std::array<PointedPlot*, ContentCount> plots() const; ///< in the order of the contents
-  [[nodiscard]] PointedPlot* plot() const;                            ///< of the content
-  [[nodiscard]] ProfilePlot& timePlot() const;                        ///< of the content, where it is over time
-  [[nodiscard]] CurvesPointer actual() const;                         ///< of the open file; null without one
+  [[nodiscard]] std::array<PointedPlot*, ProfileSight::ContentCount> plots() const; ///< in the order of the contents
+  [[nodiscard]] PointedPlot* plot() const;                                          ///< of the content
+  [[nodiscard]] ProfilePlot& timePlot() const; ///< of the content, where it is over time
+  [[nodiscard]] CurvesPointer actual() const;  ///< of the open file; null without one
   [[nodiscard]] ProfileLimits limits() const;
   [[nodiscard]] Figure picture() const;
 
   Planner& m_planner;
   ProfileFiles& m_files;
+  ProfileSight& m_sight;
   PlanPointer m_plan;
   CurvesPointer m_planned; ///< of the plan; null until it is there, and where the plan cannot be ground
   std::vector<ProfileCurves> m_shown;
   std::vector<CornerPass> m_passes; ///< of what is shown first
-  std::optional<std::size_t> m_pass;
-  std::optional<double> m_instant;
   std::optional<base::Problem> m_problem;
   std::optional<std::filesystem::path> m_saved;
   bool m_openIsRecord = false;
-  std::array<bool, ContentCount> m_stale{}; ///< plots that do not show yet what is shown
-  std::array<bool, ContentCount> m_anew{};  ///< and are to show all of it
-  Content m_before = Speeds;                ///< the content that was shown last
+  std::array<bool, ProfileSight::ContentCount> m_stale{}; ///< plots that do not show yet what is shown
+  std::array<bool, ProfileSight::ContentCount> m_anew{};  ///< and are to show all of it
   QString m_folder;
   ProfilePlot* m_speeds;
   ProfilePlot* m_positions;

@@ -23,15 +23,16 @@ Figure ProfilesPage::picture() const {
   const CurvesPointer opened = actual();
   QString heading = opened ? opened->name : m_plan ? nameOfFile(m_plan->import->file) : QString();
   const QString values = m_planned ? profileSubheading(m_plan->job) : QString();
-  const std::optional<CornerPass> pass = m_pass ? std::optional(m_passes.at(*m_pass)) : std::nullopt;
+  const std::optional<CornerPass> pass = m_sight.pass ? std::optional(m_passes.at(*m_sight.pass)) : std::nullopt;
   if (pass) {
     heading = tr("%1, corner %2").arg(heading).arg(pass->corner);
   }
-  if (content() == Path) {
+  if (content() == ProfileSight::Path) {
     const PathSetting setting = m_planned ? m_plan->pathSetting : PathSetting();
-    return pathFigure(m_shown, setting, heading, values, {m_path->shownBox(), pass, m_instant, limits().wheelRadius});
+    return pathFigure(m_shown, setting, heading, values,
+                      {m_path->shownBox(), pass, m_sight.instant, limits().wheelRadius});
   }
-  const PlotContent panels = content() == Positions ? PlotContent::Positions : PlotContent::Speeds;
+  const PlotContent panels = content() == ProfileSight::Positions ? PlotContent::Positions : PlotContent::Speeds;
   return profileFigure(m_shown, limits(), heading, values, {panels, timePlot().shownTimes(), pass ? pass->corner : 0});
 }
 

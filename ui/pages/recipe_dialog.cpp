@@ -163,9 +163,14 @@ void RecipeDialog::load() {
 
 void RecipeDialog::save() {
   const QString name = m_name->text();
-  const auto act = [this, name] { tell(m_book.save(name), tr("Saved as “%1”.").arg(name)); };
+  keepAs(name, tr("Replace “%1” by the values in effect?").arg(name),
+         [this, name] { tell(m_book.save(name), tr("Saved as “%1”.").arg(name)); });
+}
+
+// Nothing of that name is replaced unasked.
+void RecipeDialog::keepAs(const QString& name, const QString& question, const std::function<void()>& act) {
   if (m_book.find(name) != nullptr) {
-    ask(tr("Replace “%1” by the values in effect?").arg(name), act);
+    ask(question, act);
   } else {
     act();
   }
@@ -183,14 +188,9 @@ void RecipeDialog::importFile() {
 
 void RecipeDialog::keepImported(const std::filesystem::path& file) {
   const QString name = QFileInfo(QString::fromStdString(file.string())).completeBaseName().trimmed();
-  const auto act = [this, file, name] {
+  keepAs(name, tr("Replace “%1” by the file?").arg(name), [this, file, name] {
     tell(m_book.importFile(file, name), tr("Imported as “%1”; it is not in effect yet.").arg(name));
-  };
-  if (m_book.find(name) != nullptr) {
-    ask(tr("Replace “%1” by the file?").arg(name), act);
-  } else {
-    act();
-  }
+  });
 }
 
 void RecipeDialog::exportFile() {
@@ -240,6 +240,10 @@ void RecipeDialog::showRecipes() {
     std::erase_if(shown, [&](const files::NamedRecipe& recipe) { return recipe.recipe.thickness != thickness; });
   }
   const QString before = chosen().isEmpty() ? m_book.current() : chosen();
+  if (shown.empty() && m_message->text().isEmpty()) {
+    m_message->setText(m_book.recipes().empty() ? tr("No recipe has been saved yet.")
+                                                : tr("No recipe is for this thickness of glass."));
+  }
   m_model->setRecipes(std::move(shown));
   const int row = m_model->rowOf(before);
   m_table->setCurrentIndex(row >= 0 ? m_model->index(row, 0) : QModelIndex());
@@ -254,8 +258,8 @@ void RecipeDialog::showAllowed() {
   m_delete->setEnabled(hasChosen && mayWrite);
   m_import->setEnabled(mayWrite);
   m_save->setEnabled(mayWrite && files::isRecipeName(m_name->text().toStdString()));
-  m_yes->setEnabled(static_cast<bool>(m_asked));
-  m_no->setEnabled(static_cast<bool>(m_asked));
+  m_yes->setVisible(static_cast<bool>(m_asked));
+  m_no->setVisible(static_cast<bool>(m_asked));
 }
 
 } // namespace arris::ui

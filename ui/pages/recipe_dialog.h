@@ -41,6 +41,7 @@ private:
   void importFile();
   void exportFile();
   void keepImported(const std::filesystem::path& file);
+  void keepAs(const QString& name, const QString& question, const std::function<void()>& act);
   void ask(const QString& question, const std::function<void()>& act);
   void answer(bool yes);
   void tell(const base::Problems& problems, const QString& done);

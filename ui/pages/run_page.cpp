@@ -39,13 +39,13 @@ QLabel* makeFigure(const QString& name) {
 RunPage::RunPage(Planner& planner, MachineLink& machine, QWidget* parent)
     : QWidget(parent), m_planner(planner), m_machine(machine), m_drawing(new DrawingView),
       m_speed(makeFigure(QStringLiteral("speed"))), m_override(makeFigure(QStringLiteral("override"))),
-      m_services(new QLabel), m_progress(new QProgressBar), m_left(new QLabel),
-      m_start(new HoldButton(tr("CYCLE START"))) {
+      m_services(new QLabel), m_progress(new QProgressBar), m_left(new QLabel), m_start(new HoldButton(QString())) {
   auto* column = new QVBoxLayout;
   column->setSpacing(6);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(makePlaces());
   column->addWidget(makeOverride());
+  m_drawing->setEmptyText(tr("Open a pattern on the page Job, or drop one here."));
   m_services->setObjectName(QStringLiteral("services"));
   column->addWidget(m_services);
   m_progress->setRange(0, kProgressSteps);
@@ -152,8 +152,8 @@ QPushButton* RunPage::makeButton(const QString& text, const QString& name, void 
 }
 
 void RunPage::makeCommands(QVBoxLayout& column) {
-  m_back = makeButton(tr("◀ Step back"), QStringLiteral("stepBack"), &RunPage::stepBack);
-  m_on = makeButton(tr("Step on ▶"), QStringLiteral("stepOn"), &RunPage::stepOn);
+  m_back = makeButton(tr("◀ Back"), QStringLiteral("stepBack"), &RunPage::stepBack);
+  m_on = makeButton(tr("Forward ▶"), QStringLiteral("stepOn"), &RunPage::stepOn);
   auto* steps = new QHBoxLayout;
   steps->addWidget(m_back);
   steps->addWidget(m_on);
@@ -178,7 +178,8 @@ void RunPage::showAllowed() {
   m_resume->setEnabled(allowed.resume);
   m_back->setEnabled(allowed.step);
   m_on->setEnabled(allowed.step);
-  m_start->setText(m_machine.goesOnWithAPane() ? tr("CYCLE START\nwhere it was broken off") : tr("CYCLE START"));
+  m_start->setText(m_machine.goesOnWithAPane() ? tr("CYCLE START\nwhere it was broken off")
+                                               : tr("CYCLE START\nkeep pressed"));
 }
 
 void RunPage::showReport() {
@@ -210,18 +211,21 @@ void RunPage::showPlaces() {
     m_toGo[i]->setText(goes ? text(toGo[axis]) : unknown);
   }
   const auto feed = [&](double speed) { return fixedLengthText(60 * speed, 0, locale); };
-  m_speed->setText(goes ? inShownUnits(tr("%1 of %2 mm/min"))
-                              .arg(feed(report.velocity.norm()), feed(report.feed * report.overrideFactor))
-                        : inShownUnits(tr("%1 mm/min")).arg(feed(report.velocity.norm())));
+  const double speed = report.velocity.norm(); // as the wheel backs off in a hold it is not the programmed one
+  const bool follows = goes && (report.state == control::State::Running || speed == 0);
+  m_speed->setText(follows
+                       ? inShownUnits(tr("%1 of %2 mm/min")).arg(feed(speed), feed(report.feed * report.overrideFactor))
+                       : inShownUnits(tr("%1 mm/min")).arg(feed(speed)));
 }
 
 void RunPage::showProgress() {
   const QLocale locale;
   m_progress->setValue(static_cast<int>(std::lround(kProgressSteps * m_machine.progress())));
-  m_left->setText(m_machine.loaded() ? inShownUnits(tr("To grind: %1 mm\nTime left: %2"))
-                                           .arg(fixedLengthText(m_machine.wayLeft(), 1, locale),
+  m_left->setText(m_machine.loaded() ? inShownUnits(tr("Done: %1 %\nTo grind: %2 mm\nTime left: %3"))
+                                           .arg(QString::number(std::floor(100 * m_machine.progress())),
+                                                fixedLengthText(m_machine.wayLeft(), 1, locale),
                                                 durationText(m_machine.timeLeft(), locale))
-                                     : QStringLiteral(" \n "));
+                                     : QStringLiteral(" \n \n "));
 }
 
 // The page Job shows what was taken up, so that it can be changed for the next pane.

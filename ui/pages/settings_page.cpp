@@ -32,11 +32,20 @@ constexpr std::array kScales{100, 125, 150, 175, 200, 250, 300, 400}; // percent
 constexpr QSize kLeastWindow(1024, 700);                              // px, of the window at its scale
 constexpr int kChoiceWidth = 420;                                     // px
 constexpr int kCodeWidth = 200;
+constexpr int kWidestPages = 1100;
+constexpr int kFieldHeight = 48;
 
 QLabel* makeNote(const QString& text) {
   auto* note = new QLabel(text);
   note->setWordWrap(true);
   return note;
+}
+
+// Beside a field below its caption.
+void addName(QGridLayout& grid, const QString& what) {
+  QLabel* name = makeNote(what);
+  name->setMinimumHeight(kFieldHeight);
+  grid.addWidget(name, grid.rowCount(), 0, Qt::AlignBottom);
 }
 
 // A scale at which the window would not fit the screen is not offered.
@@ -51,9 +60,9 @@ bool fitsScreen(int scale) {
 
 SettingsPage::SettingsPage(Preferences& preferences, QWidget* parent)
     : QWidget(parent), m_preferences(preferences), m_machine(preferences.nextMachine()), m_complaint(new QLabel),
-      m_codeState(new QLabel), m_code(new QLineEdit), m_enter(new QPushButton(tr("Open"))),
+      m_codeState(new QLabel), m_code(new QLineEdit), m_enter(new QPushButton(tr("Unlock"))),
       m_set(new QPushButton(tr("Set this code"))), m_remove(new QPushButton(tr("Take the code away"))),
-      m_lock(new QPushButton(tr("Lock now"))) {
+      m_lock(new QPushButton(tr("Lock the values now"))) {
   auto* pages = new QStackedWidget;
   pages->addWidget(makeWindow());
   pages->addWidget(makeMachine());
@@ -62,6 +71,7 @@ SettingsPage::SettingsPage(Preferences& preferences, QWidget* parent)
                                  {QStringLiteral("settingsMachine"), tr("Machine")},
                                  {QStringLiteral("settingsCode"), tr("Code")}});
   connect(segments, &Segments::picked, pages, &QStackedWidget::setCurrentIndex);
+  pages->setMaximumWidth(kWidestPages); // a name stays in sight of its value
   m_complaint->setObjectName(QStringLiteral("complaint"));
   m_complaint->setWordWrap(true);
   m_complaint->setMargin(8);
@@ -170,7 +180,7 @@ void SettingsPage::addNumber(QGridLayout& grid, int column, NumberEdit* edit, co
 void SettingsPage::addFieldsOfMachine(QGridLayout& grid) {
   for (const auto& field : recipe::machineAxesFields()) {
     const QString what = machineFieldText(field.what);
-    grid.addWidget(makeNote(what), grid.rowCount(), 0);
+    addName(grid, what);
     for (int axis = 0; axis < 3; ++axis) {
       const QString name(QStringLiteral("XYZ").at(axis));
       const NumberSpec spec{toQString(field.key) + name,
@@ -185,7 +195,7 @@ void SettingsPage::addFieldsOfMachine(QGridLayout& grid) {
   }
   for (const auto& field : recipe::machineNumberFields()) {
     const QString what = machineFieldText(field.what);
-    grid.addWidget(makeNote(what), grid.rowCount(), 0);
+    addName(grid, what);
     const NumberSpec spec{toQString(field.key), what,       toQString(field.unit),
                           field.least,          field.most, QStringLiteral(" ")};
     addNumber(grid, 1, new NumberEdit(spec, m_machine.*field.member),
@@ -211,7 +221,7 @@ QWidget* SettingsPage::makeMachine() {
       *grid, tr("Axes"),
       {{QStringLiteral("axesSimulated"), tr("Simulated")}, {QStringLiteral("axesLinuxcnc"), tr("LinuxCNC")}},
       static_cast<int>(m_preferences.settings().axes),
-      [](Settings& changed, int index) { changed.axes = static_cast<Settings::Axes>(index); }, 3);
+      [](Settings& changed, int index) { changed.axes = static_cast<files::Axes>(index); }, 3);
   addFieldsOfMachine(*grid);
   grid->setColumnStretch(0, 1);
   grid->setRowStretch(grid->rowCount(), 1);
@@ -254,6 +264,7 @@ QWidget* SettingsPage::makeCode() {
   below->addStretch(1);
   column->addLayout(below);
   column->addStretch(1);
+  connect(m_code, &QLineEdit::textChanged, this, &SettingsPage::showCodeButtons);
   connect(m_enter, &QPushButton::clicked, this, &SettingsPage::enterCode);
   connect(m_set, &QPushButton::clicked, this, &SettingsPage::takeCode);
   connect(m_remove, &QPushButton::clicked, this, [this] { m_preferences.setCode({}); });
@@ -283,13 +294,18 @@ void SettingsPage::showOpen() {
   const bool isOpen = m_preferences.isOpen();
   const bool hasCode = !m_preferences.settings().code.empty();
   m_engineering->setEnabled(isOpen);
-  m_enter->setEnabled(!isOpen);
-  m_set->setEnabled(isOpen);
+  showCodeButtons();
   m_remove->setEnabled(isOpen && hasCode);
   m_lock->setEnabled(isOpen && hasCode);
   m_codeState->setText(!hasCode ? tr("No code is set: all values are open.")
                        : isOpen ? tr("All values are open until they are locked or Arris starts again.")
                                 : tr("Locked: enter the code to change the machine."));
+}
+
+void SettingsPage::showCodeButtons() {
+  const bool isTyped = !m_code->text().isEmpty();
+  m_enter->setEnabled(isTyped && !m_preferences.isOpen());
+  m_set->setEnabled(isTyped && m_preferences.isOpen());
 }
 
 void SettingsPage::keepMachine() {

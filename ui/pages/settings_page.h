@@ -39,6 +39,7 @@ private:
   void keepMachine();
   void showComplaint();
   void showOpen();
+  void showCodeButtons();
   void enterCode();
   void takeCode();
 

@@ -227,7 +227,7 @@ QWidget* SetupPage::makeSimulation() {
     connect(button, &QPushButton::clicked, this, [this, fault = row.fault] { m_machine.inject(fault); });
     put(button);
   }
-  auto* mend = new QPushButton(tr("Mend everything"));
+  auto* mend = new QPushButton(tr("Clear all faults"));
   mend->setObjectName(QStringLiteral("mend"));
   connect(mend, &QPushButton::clicked, &m_machine, &MachineLink::clearFaults);
   put(mend);
@@ -291,11 +291,14 @@ void SetupPage::showAllowed() {
   const control::Report& report = m_machine.report();
   const auto& absence = m_machine.absence();
   m_guide->setText(absence               ? tr("Nothing can be moved: %1").arg(problemText(*absence, QLocale()))
-                   : allowed.acknowledge ? tr("Read the alarm above, mend its cause, acknowledge it.")
+                   : allowed.acknowledge ? tr("Read the alarm above, remove its cause, acknowledge it.")
                    : allowed.enable      ? tr("Next: switch the drives on.")
                    : !report.homed       ? tr("Next: home all axes, so that their places are known.")
                    : !m_machine.loaded() ? tr("Next: load the job on the page Run.")
-                                         : tr("Ready for the cycle start on the page Run."));
+                   : allowed.start       ? tr("Ready for the cycle start on the page Run.")
+                   : allowed.resume      ? tr("Held: go on with RESUME on the page Run, or STOP.")
+                   : allowed.stop        ? tr("Something moves: until it ends nothing is moved from here.")
+                                         : QString());
 }
 
 void SetupPage::showJog(const Allowed& allowed) {

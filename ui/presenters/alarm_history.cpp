@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace arris::ui {
 
 bool isSame(const files::Alarm& one, const files::Alarm& other) {
-  return one.time == other.time && one.code == other.code;
+  return one.time == other.time && one.code == other.code && one.text == other.text;
 }
 
 AlarmHistory::AlarmHistory(MachineLink& machine, QObject* parent) : QObject(parent), m_machine(machine) {
@@ -61,9 +62,9 @@ void AlarmHistory::takeLive() {
 void AlarmHistory::merge() {
   PastAlarms all;
   all.reserve(m_log.alarms.size() + m_machine.alarms().size());
-  std::map<std::pair<std::string, std::string>, std::size_t> places;
+  std::map<std::tuple<std::string, std::string, std::string>, std::size_t> places;
   const auto put = [&](const files::Alarm& alarm, bool isActive) {
-    const auto [place, isNew] = places.try_emplace({alarm.time, alarm.code}, all.size());
+    const auto [place, isNew] = places.try_emplace({alarm.time, alarm.code, alarm.text}, all.size());
     if (isNew) {
       all.push_back({alarm, isActive});
     } else {
@@ -113,7 +114,8 @@ std::optional<PastAlarm> AlarmHistory::chosen() const {
     return isSame(past.alarm, *m_chosen) && (past.isActive || !m_activeOnly);
   })
                                : std::nullopt;
-  return tapped ? tapped : first([](const PastAlarm& past) { return past.isActive; });
+  const auto cause = std::find_if(m_all.rbegin(), m_all.rend(), [](const PastAlarm& past) { return past.isActive; });
+  return tapped ? tapped : cause != m_all.rend() ? std::optional(*cause) : std::nullopt; // as in the banner
 }
 
 QString AlarmHistory::summary() const {

@@ -57,7 +57,8 @@ public:
 
   void showActiveOnly(bool on);
 
-  /// The one that was tapped, or else the latest that is active; none where there is neither.
+  /// The one that was tapped, or else the first that is still active, which the banner tells too; none where there is
+  /// neither.
   [[nodiscard]] std::optional<PastAlarm> chosen() const;
   void choose(const files::Alarm& alarm);
 

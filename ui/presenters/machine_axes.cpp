@@ -7,9 +7,9 @@
 
 namespace arris::ui {
 
-MachineAxes makeAxes(files::Settings::Axes which, const recipe::Machine& machine, control::Pace pace,
+MachineAxes makeAxes(files::Axes which, const recipe::Machine& machine, control::Pace pace,
                      const std::vector<std::filesystem::path>& moduleFolders) {
-  if (which == files::Settings::Axes::Simulated) {
+  if (which == files::Axes::Simulated) {
     auto simulated = std::make_unique<control::SimulatedAxes>(machine, pace, machine.travel / 2);
     control::SimulatedAxes* const axes = simulated.get();
     return {std::move(simulated), axes, std::nullopt, pace};

@@ -22,7 +22,7 @@ struct MachineAxes {
 /// Simulated axes in the middle of their travel, at that pace, or those of the HAL session that runs, in real time; the
 /// module for these is looked for in the folders. Where they are not available nothing takes their place: the axes are
 /// absent. May wait for a second or two.
-[[nodiscard]] MachineAxes makeAxes(files::Settings::Axes which, const recipe::Machine& machine, control::Pace pace,
+[[nodiscard]] MachineAxes makeAxes(files::Axes which, const recipe::Machine& machine, control::Pace pace,
                                    const std::vector<std::filesystem::path>& moduleFolders);
 
 } // namespace arris::ui

@@ -33,16 +33,17 @@ constexpr int kLastPlaces = 300;
 
 MachineLink::MachineLink(const MachineSetup& setup, QObject* parent)
     : MachineLink(setup,
-                  makeAxes(setup.axes.value_or(files::Settings::Axes::Simulated), setup.machine, setup.pace,
-                           setup.moduleFolders),
+                  makeAxes(setup.axes.value_or(files::Axes::Simulated), setup.machine, setup.pace, setup.moduleFolders),
                   parent) {}
 
 MachineLink::MachineLink(const MachineSetup& setup, MachineAxes axes, QObject* parent)
     : QObject(parent), m_folder(setup.folder), m_pace(axes.pace), m_machine(setup.machine), m_simulated(axes.simulated),
-      m_absence(std::move(axes.absence)), m_station(setup.machine, std::move(axes.driver), axes.pace,
-                                                    {[this](const control::Report& report) { hear(report); },
-                                                     [this](const control::FaultReport& fault) { hear(fault); }}),
-      m_order(setup.folder.paneJournal()), m_offer(setup.folder, setup.machine, setup.steps), m_watcher(setup.watcher) {
+      m_axes(setup.axes.value_or(files::Axes::Simulated)), m_absence(std::move(axes.absence)),
+      m_station(setup.machine, std::move(axes.driver), axes.pace,
+                {[this](const control::Report& report) { hear(report); },
+                 [this](const control::FaultReport& fault) { hear(fault); }}),
+      m_order(setup.folder.paneJournal()), m_offer(setup.folder, setup.machine, m_axes, setup.steps),
+      m_watcher(setup.watcher) {
   m_pool.setMaxThreadCount(1);
   connect(&m_order, &OrderBook::changed, this, &MachineLink::changed);
   connect(&m_order, &OrderBook::failed, this, &MachineLink::complain);

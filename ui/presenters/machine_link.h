@@ -34,7 +34,7 @@ struct MachineSetup {
   control::Pace pace = control::Pace::Real; ///< Simulated: simulated axes as fast as they can, for tests
   PlannerSteps steps = plannerSteps();      ///< by which a job that was broken off is planned again
   std::function<void(const control::Report&)> watcher = {}; ///< hears of every period, if anybody does
-  std::optional<files::Settings::Axes> axes = {};           ///< none said: as the settings say
+  std::optional<files::Axes> axes = {};                     ///< none said: as the settings say
   std::vector<std::filesystem::path> moduleFolders = {};    ///< where the module of the LinuxCNC axes may lie
 };
 
@@ -246,6 +246,7 @@ private:
   control::Pace m_pace;
   recipe::Machine m_machine;
   control::SimulatedAxes* m_simulated; ///< the station's axes, where they are these
+  files::Axes m_axes;
   std::optional<base::Problem> m_absence;
   control::Station m_station;
   PlanPointer m_loaded;

@@ -91,7 +91,7 @@ bool MachineLink::prepare(const PlanPointer& plan, const control::PaneOrder& pan
                           const std::optional<control::Supervisor::Broken>& broken) {
   const std::shared_ptr<const job::Job> job(plan, &plan->job);
   auto keeper = std::make_unique<control::RunKeeper>(m_folder, job, plan->import->file.string(), plan->import->hash,
-                                                     files::wallClock, panes);
+                                                     files::wallClock, m_axes, panes);
   if (const base::Problems problems = keeper->takeProblems(); !problems.empty()) {
     complain(problems.front());
     return false;

@@ -50,7 +50,7 @@ bool RecipeBook::isChanged() const {
 
 QString RecipeBook::suggestedName() const {
   const recipe::Recipe& recipe = m_planner.recipe();
-  return tr("%1, wheel %2").arg(lengthWithUnit(recipe.thickness), lengthWithUnit(recipe.wheelRadius));
+  return tr("%1, wheel R %2").arg(lengthWithUnit(recipe.thickness), lengthWithUnit(recipe.wheelRadius));
 }
 
 void RecipeBook::setCurrent(const QString& name) {

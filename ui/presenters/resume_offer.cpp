@@ -6,8 +6,10 @@
 
 namespace arris::ui {
 
-ResumeOffer::ResumeOffer(files::StateFolder folder, recipe::Machine machine, PlannerSteps steps, QObject* parent)
-    : QObject(parent), m_folder(std::move(folder)), m_machine(std::move(machine)), m_steps(std::move(steps)) {
+ResumeOffer::ResumeOffer(files::StateFolder folder, recipe::Machine machine, files::Axes axes, PlannerSteps steps,
+                         QObject* parent)
+    : QObject(parent), m_folder(std::move(folder)), m_machine(std::move(machine)), m_axes(axes),
+      m_steps(std::move(steps)) {
   m_pool.setMaxThreadCount(1);
   control::FoundJob found = control::findBrokenJob(m_folder);
   m_job = std::move(found.job);
@@ -29,6 +31,9 @@ void ResumeOffer::takeUp() {
     return;
   }
   m_problems = control::checkMachine(m_job->point, m_machine);
+  if (const auto problem = control::checkAxes(m_job->point, m_axes)) {
+    m_problems.push_back(*problem);
+  }
   if (m_problems.empty()) {
     m_state = State::Planning;
     m_stop = std::stop_source();

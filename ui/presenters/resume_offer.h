@@ -33,7 +33,8 @@ public:
   };
 
   /// Looks into the folder at once.
-  ResumeOffer(files::StateFolder folder, recipe::Machine machine, PlannerSteps steps, QObject* parent = nullptr);
+  ResumeOffer(files::StateFolder folder, recipe::Machine machine, files::Axes axes, PlannerSteps steps,
+              QObject* parent = nullptr);
   ~ResumeOffer() override; ///< waits until the work under way has given up
   ResumeOffer(const ResumeOffer&) = delete;
   ResumeOffer& operator=(const ResumeOffer&) = delete;
@@ -87,6 +88,7 @@ private:
 
   files::StateFolder m_folder;
   recipe::Machine m_machine;
+  files::Axes m_axes;
   PlannerSteps m_steps;
   State m_state = State::None;
   std::optional<control::BrokenJob> m_job;

@@ -24,7 +24,7 @@ QString wheelPhaseText(const job::Sample& sample) {
 QString wheelText(const job::Sample& sample, double duration, const QLocale& locale) {
   const auto length = [&](double value, int decimals) { return fixedLengthText(value, decimals, locale); };
   const Eigen::Vector3d& at = sample.setPoint.position;
-  const QString place = wheelWords(QT_TRANSLATE_NOOP("Wheel", "X %1  Y %2  Z %3 mm"))
+  const QString place = wheelWords(QT_TRANSLATE_NOOP("Wheel", "Planned: X %1  Y %2  Z %3 mm"))
                             .arg(length(at.x(), 2), length(at.y(), 2), length(at.z(), 2));
   const QString time = wheelWords(QT_TRANSLATE_NOOP("Wheel", "%1 s of %2"))
                            .arg(fixedText(sample.setPoint.time, 2, locale), durationText(duration, locale));

@@ -54,6 +54,7 @@ DrawingView::DrawingView(QWidget* parent) : QGraphicsView(parent), m_style(scree
   viewport()->setCursor(Qt::ArrowCursor);
   viewport()->grabGesture(Qt::PinchGesture);
   setAccessibleName(tr("Drawing"));
+  setEmptyText(tr("Open a pattern (DXF), or drop one here."));
   setMinimumSize(200, 150);
 }
 
@@ -79,6 +80,10 @@ void DrawingView::setPlan(PlanPointer plan) {
     fit();
   }
   viewport()->update();
+}
+
+void DrawingView::setEmptyText(const QString& text) {
+  m_emptyText = text;
 }
 
 void DrawingView::selectCorner(int corner) {
@@ -184,7 +189,7 @@ void DrawingView::drawBackground(QPainter* painter, const QRectF& /*rect*/) {
   } else {
     painter->setPen(m_style.palette.faint);
     painter->setFont(font());
-    painter->drawText(frame(), Qt::AlignCenter | Qt::TextWordWrap, tr("Open a pattern (DXF), or drop one here."));
+    painter->drawText(frame(), Qt::AlignCenter | Qt::TextWordWrap, m_emptyText);
   }
   painter->restore();
 }

@@ -30,6 +30,7 @@ public:
 
   /// Shows a plan; another pattern is fitted into the view, the same one stays where it is.
   void setPlan(PlanPointer plan);
+  void setEmptyText(const QString& text); ///< that stands there without a plan
 
   /// The wheel where it is, with what it has ground so far marked; nothing hides both.
   void setWheel(const std::optional<LiveWheel>& wheel);
@@ -119,7 +120,8 @@ private:
   QPixmap m_still;               // all that a pan takes along, with what has been ground
   QTransform m_stillFor;         // the view when it was painted
   int m_groundTo = 0;            // segments of the track whose grinding is in it
-  bool m_fitted = true;          // the view follows the size of the window until somebody zooms or pans
+  QString m_emptyText;
+  bool m_fitted = true; // the view follows the size of the window until somebody zooms or pans
   QPoint m_pressed;
 };
 

@@ -13,6 +13,7 @@ namespace {
 constexpr double kWheelLine = 2; // px
 constexpr double kWheelCentre = 3;
 constexpr int kWheelAlpha = 60;
+constexpr int kPlannedAlpha = 14;
 constexpr double kLeastGrip = 26;   // px round the centre: a finger takes a small wheel too
 constexpr double kMostGrip = 80;    // and a large one leaves room to pan
 constexpr double kFollowReach = 40; // px
@@ -40,8 +41,8 @@ void DrawingView::paintWheel(QPainter& painter) const {
   const QPointF at = viewportTransform().map(toQt(m_wheel->at));
   const double radius = m_plan->drawing.wheelRadius * pixelsPerMillimetre();
   QColor disc = m_style.palette.x;
-  painter.setPen(QPen(disc, kWheelLine));
-  disc.setAlpha(kWheelAlpha);
+  painter.setPen(QPen(disc, kWheelLine, m_wheelMovable ? Qt::DashLine : Qt::SolidLine)); // planned, or where it is
+  disc.setAlpha(m_wheelMovable ? kPlannedAlpha : kWheelAlpha);
   painter.setBrush(disc);
   painter.drawEllipse(at, radius, radius);
   painter.drawEllipse(at, kWheelCentre, kWheelCentre);

@@ -73,12 +73,15 @@ void AlarmBanner::showState() {
                    (m_machine.loaded() ? jobStateText(job) + QStringLiteral(" · ") + panes : panes) +
                    QLatin1Char('\n') + axesText());
   const Alarm* active = nullptr;
+  int others = -1;
   for (const Alarm& alarm : m_machine.alarms()) { // the first one says what came first
     active = active == nullptr && alarm.isActive ? &alarm : active;
+    others += alarm.isActive ? 1 : 0;
   }
   const auto& complaint = m_machine.complaint();
+  const QString more = others > 0 ? tr(" (+%1 on the page Alarms)").arg(others) : QString();
   m_text->setText(active != nullptr
-                      ? faultText(active->fault, QLocale()) + QLatin1Char('\n') + remedyText(active->fault.fault)
+                      ? faultText(active->fault, QLocale()) + more + QLatin1Char('\n') + remedyText(active->fault.fault)
                   : complaint ? problemText(*complaint, QLocale())
                               : QString());
   const bool tells = active != nullptr || complaint.has_value();

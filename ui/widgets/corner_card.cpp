@@ -63,12 +63,7 @@ void CornerCard::show(const PlanPointer& plan, int corner) {
   const toolpath::Corner& c = plan->job.toolpath.corners[static_cast<std::size_t>(corner - 1)];
   const bool isTransition = c.treatment == toolpath::Treatment::Transition;
   m_relief->setVisible(isTransition);
-  QString title =
-      tr("Corner %1: %2, %3").arg(QString::number(c.id), angleText(c.angle, QLocale()), treatmentText(c.treatment));
-  if (plan->job.contours.size() > 1) {
-    title += QLatin1Char(' ') + tr("(contour %1)").arg(c.contour);
-  }
-  m_title->setText(title);
+  m_title->setText(title(plan->job, c));
   m_reason->setText(reasonText(c.reason));
   QString table = QStringLiteral("<table cellspacing='0' cellpadding='1'>");
   for (const Row& row : rowsOf(plan->job, c)) {
@@ -78,6 +73,30 @@ void CornerCard::show(const PlanPointer& plan, int corner) {
   if (isTransition) {
     m_relief->showCorner(c, plan->job.recipe.wheelRadius);
   }
+}
+
+QString CornerCard::title(const job::Job& job, const toolpath::Corner& corner) {
+  const QString words =
+      tr("Corner %1: %2, %3")
+          .arg(QString::number(corner.id), angleText(corner.angle, QLocale()), treatmentText(corner.treatment));
+  return job.contours.size() > 1 ? words + QLatin1Char(' ') + tr("(contour %1)").arg(corner.contour) : words;
+}
+
+QString CornerCard::inShort(const job::Job& job, int corner) {
+  const auto index = static_cast<std::size_t>(corner - 1);
+  const toolpath::Corner& c = job.toolpath.corners.at(index);
+  if (index >= job.cornerResults.size() || c.treatment == toolpath::Treatment::Stop) {
+    return title(job, c);
+  }
+  return title(job, c) + QLatin1Char('\n') +
+         inShownUnits(plannedText(job.cornerResults[index], 1, 1)).replace(QLatin1Char(' '), QChar(QChar::Nbsp));
+}
+
+QString CornerCard::plannedText(const job::CornerResult& result, int speedDecimals, int timeDecimals) {
+  const QLocale locale;
+  return tr("%1 mm/s; %2 s")
+      .arg(fixedLengthText(result.plannedSpeed, speedDecimals, locale),
+           fixedText(result.plannedTime, timeDecimals, locale));
 }
 
 void CornerCard::resizeEvent(QResizeEvent* event) {
@@ -96,9 +115,9 @@ std::vector<CornerCard::Row> CornerCard::rowsOf(const job::Job& job, const toolp
         {tr("Speed v<sub>trans</sub>"),
          tr("%1 mm/s, %2").arg(number(corner.transitionSpeed, 2), limitedByText(corner.limitedBy))},
         {tr("Blending a, t<sub>m</sub>"),
-         tr("%1 mm/s², %2 s").arg(number(corner.blendAcceleration, 4), seconds(corner.blendTime))},
-        {tr("Widest, leg ℓ"), tr("%1, %2 mm").arg(number(corner.widest, 3), number(corner.leg, 3))},
-        {tr("Relief"), (corner.relief ? tr("yes: lifts %1, needs %2 mm") : tr("no: lifts %1, needs %2 mm"))
+         tr("%1 mm/s²; %2 s").arg(number(corner.blendAcceleration, 4), seconds(corner.blendTime))},
+        {tr("Widest, leg ℓ"), tr("%1; %2 mm").arg(number(corner.widest, 3), number(corner.leg, 3))},
+        {tr("Relief"), (corner.relief ? tr("yes: lifts %1; needs %2 mm") : tr("no: lifts %1; needs %2 mm"))
                            .arg(number(corner.widest - job.recipe.wheelRadius, 3), number(corner.tipDepth, 3))},
     };
   } else if (corner.kind == toolpath::CornerKind::Concave) {
@@ -111,11 +130,10 @@ std::vector<CornerCard::Row> CornerCard::rowsOf(const job::Job& job, const toolp
   if (index < job.cornerResults.size()) {
     const job::CornerResult& result = job.cornerResults[index];
     if (corner.treatment != toolpath::Treatment::Stop) { // a stop has neither speed nor time
-      rows.push_back(
-          {tr("Planned"), tr("%1 mm/s, %2 s").arg(number(result.plannedSpeed, 2), seconds(result.plannedTime))});
+      rows.push_back({tr("Planned"), plannedText(result, 2, 3)});
     }
     rows.push_back({tr("Slowing L<sub>d</sub>, L<sub>a</sub>"),
-                    tr("%1, %2 mm").arg(number(result.decelerationLength, 2), number(result.accelerationLength, 2))});
+                    tr("%1; %2 mm").arg(number(result.decelerationLength, 2), number(result.accelerationLength, 2))});
   }
   return rows;
 }

@@ -21,6 +21,9 @@ public:
   /// 0, or a corner that the plan does not have: says how to choose one.
   void show(const PlanPointer& plan, int corner);
 
+  /// A corner of the job in two lines, where the card has no room.
+  [[nodiscard]] static QString inShort(const job::Job& job, int corner);
+
 protected:
   void resizeEvent(QResizeEvent* event) override;
 
@@ -30,6 +33,8 @@ private:
     QString value;
   };
 
+  [[nodiscard]] static QString title(const job::Job& job, const toolpath::Corner& corner);
+  [[nodiscard]] static QString plannedText(const job::CornerResult& result, int speedDecimals, int timeDecimals);
   [[nodiscard]] static std::vector<Row> rowsOf(const job::Job& job, const toolpath::Corner& corner);
 
   QLabel* m_title;

@@ -12,6 +12,7 @@ constexpr int kTick = 16;        // ms
 constexpr double kRing = 22;     // px across
 constexpr double kRingLine = 4;  // px
 constexpr double kRingInset = 8; // px from the right
+constexpr int kEmptyAlpha = 110;
 constexpr int kFullTurn = 360 * 16;
 
 } // namespace
@@ -65,8 +66,10 @@ void HoldButton::paintEvent(QPaintEvent* event) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF ring(width() - kRing - kRingInset, (height() - kRing) / 2, kRing, kRing);
-  QColor color = palette().color(isEnabled() ? QPalette::ButtonText : QPalette::Mid);
-  painter.setPen(QPen(palette().color(QPalette::Mid), kRingLine));
+  const QColor color = palette().color(isEnabled() ? QPalette::ButtonText : QPalette::Mid);
+  QColor empty = color;
+  empty.setAlpha(kEmptyAlpha);
+  painter.setPen(QPen(isEnabled() ? empty : color, kRingLine));
   painter.drawEllipse(ring);
   if (m_timer.isActive()) {
     const double share = std::min(1.0, static_cast<double>(m_since.elapsed()) / kHoldFor);

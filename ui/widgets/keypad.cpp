@@ -81,8 +81,8 @@ Keypad::Keypad(NumberEdit& edit)
   window()->installEventFilter(this);
 }
 
-void Keypad::addKey(QGridLayout& grid, const QString& text, const QString& name, int row, int column,
-                    const std::function<void()>& act) {
+QPushButton* Keypad::addKey(QGridLayout& grid, const QString& text, const QString& name, int row, int column,
+                            const std::function<void()>& act) {
   auto* key = new QPushButton(text);
   key->setObjectName(name);
   key->setProperty("sign", true);
@@ -90,6 +90,7 @@ void Keypad::addKey(QGridLayout& grid, const QString& text, const QString& name,
   key->setFocusPolicy(Qt::NoFocus); // the number keeps it
   connect(key, &QPushButton::clicked, this, act);
   grid.addWidget(key, row, column);
+  return key;
 }
 
 void Keypad::addKeys(QGridLayout& grid) {
@@ -102,7 +103,9 @@ void Keypad::addKeys(QGridLayout& grid) {
   }
   const QString point = QLocale().decimalPoint();
   addKey(grid, point, QStringLiteral("keyPoint"), 3, 1, type(point));
-  addKey(grid, QStringLiteral("±"), QStringLiteral("keySign"), 3, 2, [this] { changeSign(); });
+  addKey(grid, QStringLiteral("±"), QStringLiteral("keySign"), 3, 2, [this] {
+    changeSign();
+  })->setEnabled(m_edit->spec().least < 0);
   addKey(grid, QStringLiteral("⌫"), QStringLiteral("keyBack"), 0, 3, [this] { m_line->backspace(); });
   addKey(grid, QStringLiteral("C"), QStringLiteral("keyClear"), 1, 3, [this] { m_line->clear(); });
   addKey(grid, tr("Cancel"), QStringLiteral("keyCancel"), 2, 3, [this] { close(); });

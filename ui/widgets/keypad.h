@@ -8,6 +8,7 @@
 #include <functional>
 
 class QGridLayout;
+class QPushButton;
 class QLabel;
 
 namespace arris::ui {
@@ -35,8 +36,8 @@ private:
   explicit Keypad(NumberEdit& edit);
 
   void addKeys(QGridLayout& grid);
-  void addKey(QGridLayout& grid, const QString& text, const QString& name, int row, int column,
-              const std::function<void()>& act);
+  QPushButton* addKey(QGridLayout& grid, const QString& text, const QString& name, int row, int column,
+                      const std::function<void()>& act);
   void changeSign();
   void accept();
   void showComplaint();

@@ -19,9 +19,9 @@ struct Greys {
 };
 
 constexpr Greys kLight{0xe4e6e8, 0x1f2428, 0xffffff, 0xf4f5f6, 0x6b747b, 0xf4f5f6, 0xcdd2d5, 0x44525c, 0xffffff,
-                       0xcdd2d5, 0x8a9298, 0xb4babe, 0x8a9298, 0xd6dadd, 0xeceeef, 0x1f2428, 0xb3261e, 0xfdf3f2};
+                       0xcdd2d5, 0x8a9298, 0xb4babe, 0x70797f, 0xd6dadd, 0xeceeef, 0x1f2428, 0xb3261e, 0xfdf3f2};
 constexpr Greys kDark{0x24292d, 0xe6e9eb, 0x181c1f, 0x2b3136, 0x9aa3a9, 0x343b41, 0x4a545c, 0xc3ccd2, 0x181c1f,
-                      0x31383d, 0x7d878e, 0x4a545c, 0x737d84, 0x4a545c, 0x2f363b, 0xffffff, 0xff8a80, 0x3a2322};
+                      0x31383d, 0x7d878e, 0x4a545c, 0x8c969d, 0x4a545c, 0x2f363b, 0xffffff, 0xff8a80, 0x3a2322};
 
 QPalette paletteOf(const Greys& greys) {
   QPalette palette;
@@ -84,8 +84,10 @@ QPushButton:pressed, QToolButton:pressed { background: @pressed; }
 QPushButton:checked, QToolButton:checked { background: @chosen; color: @chosenText; }
 QPushButton:disabled, QToolButton:disabled { color: @disabled; border-color: @lightLine; }
 QPushButton:checked:disabled, QToolButton:checked:disabled { background: @disabledChosen; }
+QPushButton:focus, QToolButton:focus { padding: 0 8px; }
 QToolButton[sign="true"], QPushButton[sign="true"] { padding: 0; }
 QPushButton[segment="true"] { padding: 0 4px; }
+QPushButton[segment="true"]:focus { padding: 0 2px; }
 QCheckBox { min-height: 44px; spacing: 6px; border: 2px solid transparent; }
 QCheckBox::indicator { width: 26px; height: 26px; border: 2px solid @line; border-radius: 4px; background: @field; }
 QCheckBox::indicator:checked { image: url(:/signs/@check.svg); }
@@ -126,9 +128,9 @@ QGroupBox { border: 1px solid @lightLine; border-radius: 4px; margin-top: 10px; 
 QGroupBox::title { subcontrol-origin: margin; left: 10px; }
 QTabBar::tab {
   min-height: 44px; min-width: 44px; padding: 0 14px;
-  border: 1px solid @lightLine; border-bottom: none; background: @disabledChosen;
+  border: 1px solid @line; border-bottom: none; background: @button;
 }
-QTabBar::tab:selected { background: @alternate; font-weight: bold; }
+QTabBar::tab:selected { background: @chosen; color: @chosenText; font-weight: bold; }
 QTabBar::tab:focus { border: 3px solid @strong; }
 QTabWidget::pane { border: 1px solid @lightLine; background: @alternate; }
 QTableView { font-size: 14px; }
@@ -156,6 +158,14 @@ void applyTheme(QApplication& application) {
   font.setPixelSize(kControlTextHeight);
   QApplication::setFont(font);
   application.setStyleSheet(styled(QString::fromLatin1(kStyleSheet), greys));
+}
+
+Unstyled::Unstyled() : m_styleSheet(qApp->styleSheet()) {
+  qApp->setStyleSheet({});
+}
+
+Unstyled::~Unstyled() {
+  qApp->setStyleSheet(m_styleSheet);
 }
 
 } // namespace arris::ui

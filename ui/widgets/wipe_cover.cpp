@@ -39,7 +39,8 @@ void WipeCover::tick() {
     Q_EMIT ended();
     return;
   }
-  setText(tr("The screen is locked for wiping: %1 s\nFEED HOLD and STOP work.").arg(kLasts - passed));
+  setText(tr("The screen is locked for wiping: %1 s\nFEED HOLD and STOP work whenever something moves.")
+              .arg(kLasts - passed));
 }
 
 } // namespace arris::ui

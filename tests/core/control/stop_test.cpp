@@ -159,8 +159,9 @@ void keptRun(const test::Scratch& scratch, const std::function<void(Bench&)>& di
   const auto job = std::make_shared<const job::Job>(jobToStop());
   Bench bench(job->machine);
   bench.getReady(*job);
-  RunKeeper keeper({scratch / "state"}, job, "triangle.dxf", "0123456789abcdef",
-                   [] { return std::string("2031-05-06T07:08:09"); });
+  RunKeeper keeper(
+      {scratch / "state"}, job, "triangle.dxf", "0123456789abcdef", [] { return std::string("2031-05-06T07:08:09"); },
+      files::Axes::Simulated);
   bench.onPeriod = [&](const Report& report, const Cycle&) { keeper.add(report); };
   runToGlass(bench);
   disturb(bench);
@@ -199,7 +200,7 @@ TEST(RunKeeper, CountsAPaneOnceHoweverOftenItIsBrokenOff) {
   Bench bench(job->machine);
   bench.getReady(*job);
   RunKeeper keeper({scratch / "state"}, job, "triangle.dxf", "0123456789abcdef",
-                   [] { return std::string("2031-05-06T07:08:09"); }, {3, 5});
+                   [] { return std::string("2031-05-06T07:08:09"); }, files::Axes::Simulated, {3, 5});
   bench.onPeriod = [&](const Report& report, const Cycle&) { keeper.add(report); };
   for (int i = 0; i < 2; ++i) {
     ASSERT_TRUE(i == 0 ? bench.supervisor.start() : bench.supervisor.startFrom(bench.report().place));

@@ -67,6 +67,18 @@ TEST(AlarmLog, AnAcknowledgementTakesTheAlarmsPlace) {
   EXPECT_THAT(alarmsIn(scratch / "a"), ElementsAre(acknowledged, alarmNumber(2)));
 }
 
+TEST(AlarmLog, TwoAxesMayFailInOneSecond) {
+  const test::Scratch scratch;
+  const std::filesystem::path log = scratch / "alarms.jsonl";
+  Alarm x{"2031-05-06T07:08:09", "drive-fault", "The drive of X reports a fault.", {}};
+  const Alarm y{"2031-05-06T07:08:09", "drive-fault", "The drive of Y reports a fault.", {}};
+  ASSERT_TRUE(appendAlarm(log, x));
+  ASSERT_TRUE(appendAlarm(log, y));
+  x.acknowledged = true;
+  ASSERT_TRUE(appendAlarm(log, x));
+  EXPECT_EQ(readAlarms(log).value(), (std::vector{x, y}));
+}
+
 TEST(AlarmLog, AFigureThatIsNoNumberIsLeftOutAndTheAlarmIsKept) {
   const test::Scratch scratch;
   Alarm alarm = alarmNumber(1);

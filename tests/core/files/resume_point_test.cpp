@@ -43,6 +43,7 @@ ResumePoint somewhere(test::Dice& dice) {
   point.pane = static_cast<int>(dice.between(1, 100));
   point.panes = point.pane + static_cast<int>(dice.between(0, 100));
   point.ended = static_cast<Ended>(static_cast<int>(dice.between(0, 6)));
+  point.axes = dice.between(0, 1) < 0.5 ? Axes::Simulated : Axes::Linuxcnc;
   return point;
 }
 
@@ -79,6 +80,12 @@ TEST(ResumePoint, WhatIsWrittenIsReadBackExactly) {
   }
 }
 
+TEST(ResumePoint, OfTheFirstVersionIsOfAnyAxes) {
+  const auto read = readResumePoint(without("axes"), "resume.json");
+  EXPECT_TRUE(read.problems.empty());
+  EXPECT_FALSE(read.value.axes);
+}
+
 TEST(ResumePoint, EveryAbsentValueIsAnErrorByName) {
   for (const char* key : {"pattern", "segment", "lambda_mm", "position_mm", "contour", "t_s", "pane", "panes", "ended",
                           "recipe", "machine"}) {
@@ -113,6 +120,7 @@ TEST(ResumePoint, EveryWrongValueIsToldWithItsRange) {
       {"fewer panes than the pane", "/panes", 0, "panes must be a whole number from "},
       {"ended somehow", "/ended", "tired",
        "ended is \"tired\"; it must be one of: running, held, stopped, fault, emergency-stop, interrupted."},
+      {"axes of another kind", "/axes", "real", "axes is \"real\"; it must be one of: simulated, linuxcnc."},
       {"no fingerprint", "/pattern/hash", "0123", "hash must be a fingerprint of 16 digits, not \"0123\"."},
       {"no file", "/pattern/file", 7, "file must be a text, not 7."},
       {"pattern a text", "/pattern", "a.dxf", "pattern must be an object, not \"a.dxf\"."},

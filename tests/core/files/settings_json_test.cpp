@@ -8,7 +8,7 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
-using Axes = Settings::Axes;
+using Axes = files::Axes;
 
 TEST(SettingsFile, GivesBackWhatWasWritten) {
   Settings settings;

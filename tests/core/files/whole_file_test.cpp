@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 namespace arris::files {
 namespace {
@@ -185,6 +186,20 @@ TEST(ReadFile, WhatIsMissingOrAFolderIsAnErrorWithItsReason) {
   EXPECT_EQ(describe(readFile("/nowhere/a.dxf").error()),
             "/nowhere/a.dxf cannot be opened: No such file or directory.");
   EXPECT_THAT(describe(readFile(scratch / ".").error()), HasSubstr("cannot be read: Is a directory."));
+}
+
+TEST(ReadFile, ANamedPipeIsReadToItsEndAndNotWaitedForWhereNobodyWrites) {
+  const test::Scratch scratch;
+  const std::filesystem::path pipe = scratch / "pipe.dxf";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(readFile(pipe).value(), "");
+  std::thread writer([&] { std::ofstream(pipe) << std::string(1'000'000, 'x'); });
+  std::string read;
+  while (read.empty()) { // until the writer is there
+    read = readFile(pipe).value();
+  }
+  writer.join();
+  EXPECT_EQ(read, std::string(1'000'000, 'x'));
 }
 
 TEST(ReadFile, AFileBeyondAllReasonIsRefusedUnread) {

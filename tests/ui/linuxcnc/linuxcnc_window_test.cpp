@@ -19,7 +19,7 @@ namespace {
 
 using control::JobState;
 using control::State;
-using Axes = files::Settings::Axes;
+using Axes = files::Axes;
 
 PlannerSteps smallPaneSteps() {
   PlannerSteps steps = plannerSteps();

@@ -21,7 +21,7 @@
 namespace arris::ui {
 namespace {
 
-using Axes = files::Settings::Axes;
+using Axes = files::Axes;
 
 /// One window after the other on one state folder; the module of the LinuxCNC axes is nowhere.
 class AxesWindow : public testing::Test {

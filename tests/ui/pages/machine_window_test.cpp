@@ -363,9 +363,11 @@ TEST_P(Jog, EndsWhenTheHandIsElsewhere) {
     button("pageJob")->click();
   } else if (what == "dialog") {
     dialog.open();
+  } else if (what == "screen lock") {
+    button("lockScreen")->click();
   } else {
-    QEvent deactivated(QEvent::WindowDeactivate);
-    QApplication::sendEvent(jog, &deactivated);
+    QEvent ended(what == "touch cancel" ? QEvent::TouchCancel : QEvent::WindowDeactivate);
+    QApplication::sendEvent(jog, &ended);
   }
   EXPECT_TRUE(becomes(State::NotHomed)) << what;
   const Eigen::Vector3d at = m_window.machine().report().commanded;
@@ -373,7 +375,9 @@ TEST_P(Jog, EndsWhenTheHandIsElsewhere) {
   EXPECT_EQ(m_window.machine().report().commanded, at);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ends, Jog, testing::Values("release", "focus loss", "page change", "dialog", "deactivation"));
+INSTANTIATE_TEST_SUITE_P(Ends, Jog,
+                         testing::Values("release", "focus loss", "page change", "dialog", "screen lock",
+                                         "touch cancel", "deactivation"));
 
 TEST_F(MachineWindow, AsksBeforeItClosesWhileTheMachineMovesAndStopsItFirst) {
   getReady();

@@ -32,13 +32,20 @@ geometry::Point middleOf(const toolpath::Corner& corner) {
 
 class Profiles : public testing::Test {
 protected:
-  Profiles() : m_planner({}, test::paneSteps()), m_page(m_planner, m_files) {
-    m_page.resize(kSmallestPage);
-    m_page.show();
+  Profiles() : m_planner({}, test::paneSteps()) {
+    makePage();
+  }
+
+  // As the window does in another language.
+  void makePage() {
+    m_page.reset();
+    m_page = std::make_unique<ProfilesPage>(m_planner, m_files, m_sight);
+    m_page->resize(kSmallestPage);
+    m_page->show();
   }
 
   void settle() {
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !m_planner.isBusy() && !m_page.isBusy(); }, test::kPatience));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !m_planner.isBusy() && !m_page->isBusy(); }, test::kPatience));
     for (int i = 0; i < 5; ++i) { // layouts settle in turns
       QTest::qWait(1);
     }
@@ -50,12 +57,12 @@ protected:
   }
 
   void open(const std::filesystem::path& file) {
-    m_page.openFile(file);
+    m_page->openFile(file);
     settle();
   }
 
   QToolButton* button(const char* name) {
-    return m_page.findChild<QToolButton*>(QString::fromLatin1(name));
+    return m_page->findChild<QToolButton*>(QString::fromLatin1(name));
   }
 
   void press(const char* name) {
@@ -64,7 +71,7 @@ protected:
   }
 
   QString text(const char* label) {
-    return m_page.findChild<QLabel*>(QString::fromLatin1(label))->text();
+    return m_page->findChild<QLabel*>(QString::fromLatin1(label))->text();
   }
 
   // Without the marks of where a line may and may not break.
@@ -77,15 +84,19 @@ protected:
   }
 
   ProfilePlot* plotNamed(const char* name) {
-    return m_page.findChild<ProfilePlot*>(QString::fromLatin1(name));
+    return m_page->findChild<ProfilePlot*>(QString::fromLatin1(name));
   }
 
   PathPlot* path() {
-    return m_page.findChild<PathPlot*>();
+    return m_page->findChild<PathPlot*>();
   }
 
   QCPRange times() {
-    return plot()->axisRect(0)->axis(QCPAxis::atBottom)->range();
+    return timesOf("speedsPlot");
+  }
+
+  QCPRange timesOf(const char* name) {
+    return plotNamed(name)->axisRect(0)->axis(QCPAxis::atBottom)->range();
   }
 
   // A line for each profile and those of the limits.
@@ -112,13 +123,14 @@ protected:
   test::Scratch m_scratch;
   Planner m_planner;
   ProfileFiles m_files;
-  ProfilesPage m_page;
+  ProfileSight m_sight;
+  std::unique_ptr<ProfilesPage> m_page;
 };
 
 void Profiles::expectEverythingShown() {
   const auto check = [this] {
-    EXPECT_EQ(m_page.size(), kSmallestPage) << "the contents pushed the page larger";
-    test::expectNothingCutOff(m_page);
+    EXPECT_EQ(m_page->size(), kSmallestPage) << "the contents pushed the page larger";
+    test::expectNothingCutOff(*m_page);
   };
   check();
   plan("triangle.dxf");
@@ -152,7 +164,7 @@ TEST_F(Profiles, SayWhatToDoWhenNothingIsOpen) {
   for (const char* name : {"profilesPlanned", "profilesOverlay", "profilesSave", "profilesNextCorner"}) {
     EXPECT_FALSE(button(name)->isEnabled()) << name;
   }
-  test::keep("profiles-empty", m_page);
+  test::keep("profiles-empty", *m_page);
 }
 
 TEST_F(Profiles, ShowTheProfileOfThePlannedJob) {
@@ -160,7 +172,7 @@ TEST_F(Profiles, ShowTheProfileOfThePlannedJob) {
   EXPECT_EQ(state(), "Planned: triangle.dxf");
   EXPECT_EQ(speedCurves(), 1);
   EXPECT_NEAR(times().size(), triangle().working, 0.01);
-  test::keep("profiles-planned", m_page);
+  test::keep("profiles-planned", *m_page);
 }
 
 TEST_F(Profiles, SayWhenThePatternCannotBeGround) {
@@ -176,7 +188,7 @@ TEST_F(Profiles, LayARecordOverThePlanAndGoBackToThePlanAlone) {
   open(test::recordOf(triangle(), m_scratch));
   EXPECT_EQ(state(), "run.arrisrun, drawn thin over the plan, which is wide and pale");
   EXPECT_EQ(speedCurves(), 2);
-  test::keep("profiles-record", m_page);
+  test::keep("profiles-record", *m_page);
   press("profilesOverlay");
   EXPECT_EQ(state(), "run.arrisrun");
   EXPECT_EQ(speedCurves(), 1);
@@ -219,7 +231,7 @@ TEST_F(Profiles, StayAsTheyWereWhenAFileIsBrokenAndSayWhy) {
   EXPECT_EQ(speedCurves(), 2);
   EXPECT_EQ(times(), before);
   EXPECT_EQ(text("value_1_5"), value);
-  test::keep("profiles-broken-file", m_page);
+  test::keep("profiles-broken-file", *m_page);
   press("profilesPlanned");
   EXPECT_EQ(state(), "Planned: triangle.dxf");
 }
@@ -244,7 +256,7 @@ TEST_F(Profiles, GoFromCornerToCornerAndZoomToEach) {
     EXPECT_EQ(text("value_0_5"), "93.75");
     EXPECT_EQ(text("value_0_4"), "10.00");
   }
-  test::keep("profiles-corner", m_page);
+  test::keep("profiles-corner", *m_page);
   press("profilesNextCorner"); // the first again
   EXPECT_LT(times().center(), last);
   press("profilesPreviousCorner");
@@ -295,7 +307,7 @@ TEST_F(Profiles, AreReadAndZoomedByKeys) {
   QTest::keyClick(plot(), Qt::Key_Right);
   QTest::keyClick(plot(), Qt::Key_Left);
   EXPECT_NEAR(text("instant").section(' ', 2, 2).toDouble(), before + shown.size() / 200, 0.0011);
-  test::keep("profiles-keys", m_page);
+  test::keep("profiles-keys", *m_page);
   QTest::keyClick(plot(), Qt::Key_Home);
   EXPECT_NEAR(times().size(), triangle().working, 0.01);
 }
@@ -329,7 +341,7 @@ TEST_F(Profiles, AreSavedAsAPicture) {
   plan("triangle.dxf");
   open(test::recordOf(triangle(), m_scratch));
   const std::filesystem::path picture = m_scratch / "profile.svg";
-  m_page.savePicture(picture);
+  m_page->savePicture(picture);
   settle();
   EXPECT_EQ(state(), "Saved: profile.svg");
   QFile file(QString::fromStdString(picture.string()));
@@ -338,7 +350,7 @@ TEST_F(Profiles, AreSavedAsAPicture) {
   for (const char* words : {"<svg", "run.arrisrun", "Plan", "60°", "limit 20"}) {
     EXPECT_TRUE(svg.contains(words)) << words;
   }
-  m_page.savePicture(m_scratch / "profile.txt");
+  m_page->savePicture(m_scratch / "profile.txt");
   settle();
   EXPECT_NE(state().find(".svg, .pdf, .png"), std::string::npos) << state();
 }
@@ -361,18 +373,46 @@ TEST_F(Profiles, ShowThePositionsOverTime) {
   EXPECT_EQ(text("value_0_4").trimmed(), "");
   press("profilesNextCorner");
   EXPECT_GT(positions->axisRect(0)->axis(QCPAxis::atBottom)->range().center(), before.center());
-  test::keep("profiles-positions-corner", m_page);
+  test::keep("profiles-positions-corner", *m_page);
   press("profilesWork");
-  test::keep("profiles-positions", m_page);
+  test::keep("profiles-positions", *m_page);
   press("profilesSpeeds");
   EXPECT_NEAR(times().size(), triangle().working, 0.01);
+}
+
+// A corner is small on the table.
+TEST_F(Profiles, ShowPositionsOverTheRoomOfWhatIsInView) {
+  plan("triangle.dxf");
+  press("profilesPositions");
+  const auto expectFitted = [&](int panel, Panel kind) {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    const QCPRange times = timesOf("positionsPlot");
+    for (int i = 0; i <= 1000; ++i) {
+      const double value = curveValue(curveOf(*m_planner.curves(), kind), times.lower + times.size() * i / 1000);
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+    const QCPRange range = plotNamed("positionsPlot")->axisRect(panel)->axis(QCPAxis::atLeft)->range();
+    EXPECT_LE(range.lower, least);
+    EXPECT_GE(range.upper, most);
+    EXPECT_LT(range.size(), 1.5 * (most - least));
+  };
+  expectFitted(0, Panel::PositionX);
+  press("profilesNextCorner");
+  expectFitted(0, Panel::PositionX);
+  expectFitted(1, Panel::PositionY);
+  press("profilesZoomIn");
+  press("profilesZoomIn");
+  expectFitted(0, Panel::PositionX);
+  expectFitted(1, Panel::PositionY);
 }
 
 TEST_F(Profiles, ShowThePathInThePlaneInOneScale) {
   plan("triangle.dxf");
   open(test::recordOf(triangle(), m_scratch));
   press("profilesPath");
-  test::keep("profiles-path", m_page);
+  test::keep("profiles-path", *m_page);
   press("profilesNextCorner");
   const toolpath::Corner& corner = triangle().toolpath.corners[0];
   const job::CornerResult& result = triangle().cornerResults[0];
@@ -383,7 +423,7 @@ TEST_F(Profiles, ShowThePathInThePlaneInOneScale) {
   EXPECT_LT(shown.width(), 600);
   const QCPAxisRect* rect = path()->axisRect();
   EXPECT_NEAR(shown.width() / rect->width(), shown.height() / rect->height(), 1e-6);
-  test::keep("profiles-path-corner", m_page);
+  test::keep("profiles-path-corner", *m_page);
   press("profilesZoomIn");
   EXPECT_NEAR(path()->shownBox().width(), shown.width() / 1.5, 1e-6);
   EXPECT_NEAR(path()->shownBox().height(), shown.height() / 1.5, 1e-6);
@@ -412,7 +452,7 @@ TEST_F(Profiles, ShowThePathOfAFileWithoutAnyPlan) {
   press("profilesPath");
   press("profilesNextCorner");
   EXPECT_TRUE(path()->shownBox().contains(triangle().toolpath.corners[0].a.x(), triangle().toolpath.corners[0].a.y()));
-  test::keep("profiles-path-file", m_page);
+  test::keep("profiles-path-file", *m_page);
 }
 
 TEST_F(Profiles, SaveThePictureThatIsShown) {
@@ -421,7 +461,7 @@ TEST_F(Profiles, SaveThePictureThatIsShown) {
   press("profilesPath");
   press("profilesNextCorner");
   const auto saved = [&](const char* name) {
-    m_page.savePicture(test::artefact(name));
+    m_page->savePicture(test::artefact(name));
     settle();
     QFile file(QString::fromStdString(test::artefact(name).string()));
     EXPECT_TRUE(file.open(QIODevice::ReadOnly));
@@ -442,7 +482,7 @@ TEST_F(Profiles, SaveThePictureThatIsShown) {
 TEST_F(Profiles, SaveTheProfileOfTheRunThatIsOpenElseThePlannedOne) {
   plan("triangle.dxf");
   const auto read = [this](const char* name) {
-    m_page.saveProfile(m_scratch / name);
+    m_page->saveProfile(m_scratch / name);
     settle();
     QFile file(QString::fromStdString((m_scratch / name).string()));
     EXPECT_TRUE(file.open(QIODevice::ReadOnly));
@@ -459,7 +499,7 @@ TEST_F(Profiles, SaveTheJobSheetAlsoOfAPaneThatCannotBeGround) {
   plan("outside.dxf");
   EXPECT_TRUE(button("profilesSaveSheet")->isEnabled());
   EXPECT_FALSE(button("profilesSaveProfile")->isEnabled());
-  m_page.saveJobSheet(m_scratch / "sheet.pdf");
+  m_page->saveJobSheet(m_scratch / "sheet.pdf");
   settle();
   EXPECT_EQ(state(), "Saved: sheet.pdf");
   EXPECT_GT(std::filesystem::file_size(m_scratch / "sheet.pdf"), 10000U);
@@ -468,22 +508,39 @@ TEST_F(Profiles, SaveTheJobSheetAlsoOfAPaneThatCannotBeGround) {
 TEST_F(Profiles, AreAsTheyWereOnAPageThatIsMadeAnew) {
   plan("triangle.dxf");
   open(test::cutAt(0.5, test::recordOf(triangle(), m_scratch), m_scratch));
-  ProfilesPage again(m_planner, m_files);
-  again.resize(kSmallestPage);
-  again.show();
-  const auto* state = again.findChild<QLabel*>(QStringLiteral("profilesState"));
-  EXPECT_TRUE(state->text().contains(QStringLiteral("cut.arrisrun"))) << state->text().toStdString();
-  const auto* plot = again.findChild<ProfilePlot*>(QStringLiteral("speedsPlot"));
-  int curves = 0;
-  for (const QCPGraph* graph : plot->axisRect(4)->graphs()) {
-    curves += graph->dataCount() > 2 ? 1 : 0;
-  }
-  EXPECT_EQ(curves, 2);
+  press("profilesNextCorner");
+  press("profilesPositions");
+  press("profilesZoomIn");
+  const QCPRange shown = timesOf("positionsPlot");
+  const QString x = text("value_0_0");
+  makePage();
+  settle();
+  EXPECT_NE(state().find("cut.arrisrun"), std::string::npos) << state();
+  EXPECT_TRUE(plotNamed("positionsPlot")->isVisible());
+  EXPECT_EQ(timesOf("positionsPlot"), shown);
+  EXPECT_EQ(text("value_0_0"), x);
+  press("profilesSpeeds");
+  EXPECT_EQ(speedCurves(), 2);
+  EXPECT_EQ(times(), shown);
+  press("profilesNextCorner");
+  EXPECT_GT(times().center(), shown.center()); // on from the corner that was gone to
+  press("profilesOverlay");
+  press("profilesNextCorner");
+  press("profilesPath");
+  const QRectF box = path()->shownBox();
+  makePage();
+  settle();
+  EXPECT_TRUE(path()->isVisible());
+  EXPECT_FALSE(button("profilesOverlay")->isChecked());
+  EXPECT_LT(path()->shownBox().width(), 1.5 * box.width()); // the corner, not all of the way
+  press("profilesSpeeds");
+  EXPECT_EQ(speedCurves(), 1);
 }
 
 TEST_F(Profiles, AreInInchesWhereTheWindowIsButNotInPictures) {
   showLengthsIn(LengthUnit::Inch);
-  ProfilesPage page(m_planner, m_files);
+  ProfileSight sight;
+  ProfilesPage page(m_planner, m_files, sight);
   page.resize(kSmallestPage);
   page.show();
   plan("triangle.dxf");
@@ -506,7 +563,8 @@ TEST_F(Profiles, AreInInchesWhereTheWindowIsButNotInPictures) {
 
 TEST_F(Profiles, LookRightInTheDark) {
   showAppearance(Appearance::Dark);
-  ProfilesPage page(m_planner, m_files);
+  ProfileSight sight;
+  ProfilesPage page(m_planner, m_files, sight);
   page.resize(kSmallestPage);
   page.show();
   plan("triangle.dxf");
@@ -532,7 +590,7 @@ TEST_F(Profiles, HaveTargetsForFingersThatTheTabulatorReaches) {
     reached.insert(QApplication::focusWidget());
   }
   EXPECT_TRUE(reached.contains(plot()));
-  for (QToolButton* each : m_page.findChildren<QToolButton*>()) {
+  for (QToolButton* each : m_page->findChildren<QToolButton*>()) {
     EXPECT_GE(each->height(), kTouch) << each->objectName().toStdString();
     EXPECT_GE(each->width(), kTouch) << each->objectName().toStdString();
     const bool byArrows = each->group() != nullptr && reached.contains(each->group()->checkedButton());
@@ -547,14 +605,14 @@ TEST_F(Profiles, ShowEverythingOnTheSmallestScreen) {
 TEST_F(Profiles, LookRightOnALargeScreen) {
   plan("triangle.dxf");
   open(test::recordOf(triangle(), m_scratch));
-  m_page.resize(1920, 1080);
+  m_page->resize(1920, 1080);
   settle();
-  test::keep("profiles-large", m_page);
+  test::keep("profiles-large", *m_page);
   press("profilesNextCorner");
-  test::keep("profiles-large-corner", m_page);
+  test::keep("profiles-large-corner", *m_page);
   plan("many.dxf");
   press("profilesPlanned");
-  test::keep("profiles-large-many", m_page);
+  test::keep("profiles-large-many", *m_page);
 }
 
 class TranslatedProfiles : public testing::WithParamInterface<std::string>, public test::Language, public Profiles {
@@ -567,7 +625,7 @@ TEST_P(TranslatedProfiles, ShowEverythingOnTheSmallestScreen) {
   open(test::recordOf(triangle(), m_scratch));
   plan("triangle.dxf");
   press("profilesNextCorner");
-  test::keep("profiles-" + GetParam(), m_page);
+  test::keep("profiles-" + GetParam(), *m_page);
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, TranslatedProfiles, testing::ValuesIn(test::languages()),

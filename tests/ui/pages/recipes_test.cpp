@@ -230,11 +230,11 @@ TEST_F(RecipeWindow, SavesARecipeUnderANameAndLoadsIt) {
   EXPECT_EQ(find<QLabel>("recipeName")->toolTip(), "Unnamed recipe");
   type("thickness_mm", "6");
   openDialog();
-  EXPECT_EQ(find<QLineEdit>("newRecipe")->text(), "6 mm, wheel 75 mm");
+  EXPECT_EQ(find<QLineEdit>("newRecipe")->text(), "6 mm, wheel R 75 mm");
   tap("recipeSave");
-  EXPECT_EQ(find<QLabel>("recipeMessage")->text(), "Saved as “6 mm, wheel 75 mm”.");
+  EXPECT_EQ(find<QLabel>("recipeMessage")->text(), "Saved as “6 mm, wheel R 75 mm”.");
   type("feed_mm_min", "1800"); // the dialog leaves the page in reach
-  EXPECT_EQ(find<QLabel>("recipeName")->toolTip(), "6 mm, wheel 75 mm, changed");
+  EXPECT_EQ(find<QLabel>("recipeName")->toolTip(), "6 mm, wheel R 75 mm, changed");
   chooseRow(0);
   tap("recipeLoad");
   EXPECT_DOUBLE_EQ(recipe().feed, 3600);

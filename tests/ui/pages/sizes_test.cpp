@@ -4,6 +4,7 @@
 #include "tests/ui/support/artefacts.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/locales.h"
+#include "tests/ui/support/page_parts.h"
 #include "ui/widgets/control_strip.h"
 
 #include <QAbstractButton>
@@ -14,32 +15,8 @@ namespace {
 
 using control::JobState;
 using control::State;
-
-struct PagePart {
-  const char* page;
-  const char* part; ///< the button of a part of the page; null where it has none
-};
-
-constexpr PagePart kPageParts[] = {{"pageJob", "showDrawing"},
-                                   {"pageJob", "showProfile"},
-                                   {"pageJob", "showBoth"},
-                                   {"pageJob", "showGrinding"},
-                                   {"pageJob", "showPane"},
-                                   {"pageJob", "showMore"},
-                                   {"pageSetup", "showByHand"},
-                                   {"pageSetup", "showSimulation"},
-                                   {"pageSetup", "showMoving"},
-                                   {"pageRun", nullptr},
-                                   {"pageProfiles", "profilesPositions"},
-                                   {"pageProfiles", "profilesPath"},
-                                   {"pageProfiles", "profilesSpeeds"},
-                                   {"pageAlarms", "showSignals"},
-                                   {"pageAlarms", "showBackUp"},
-                                   {"pageAlarms", "showAlarms"},
-                                   {"pageSettings", "settingsMachine"},
-                                   {"pageSettings", "settingsCode"},
-                                   {"pageSettings", "settingsWindow"},
-                                   {"pageHelp", nullptr}};
+using test::kPageParts;
+using test::PagePart;
 
 constexpr QSize kScreens[] = {{1024, 700}, {1024, 768}, {1920, 1080}, {3840, 2160}};
 

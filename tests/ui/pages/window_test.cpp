@@ -66,7 +66,7 @@ protected:
   }
 
   QString text(const char* label) {
-    return find<QLabel>(label)->text();
+    return find<QLabel>(label)->text().replace(QChar(QChar::Nbsp), QLatin1Char(' '));
   }
 
   const job::Job& job() {
@@ -200,6 +200,19 @@ TEST_F(Window, ShowsACornerThatIsChosenInTheTable) {
   auto* view = find<DrawingView>();
   EXPECT_TRUE(view->viewport()->rect().contains(view->labelOf(3).center().toPoint()));
   EXPECT_FALSE(view->viewport()->rect().contains(view->labelOf(1).center().toPoint())); // it came near
+}
+
+// On the smallest window there is no room for the card beside drawing and profile.
+TEST_F(Window, ShowsTheFiguresOfACornerInShortWhereTheCardHasNoRoom) {
+  m_window.resize(1024, 768);
+  open("triangle.dxf");
+  find<QAbstractButton>("showBoth")->click();
+  settle();
+  auto* view = find<DrawingView>();
+  tap(view->viewport(), view->labelOf(2).center().toPoint());
+  EXPECT_EQ(text("state"), "Corner 2: 60°, transition\n20.0 mm/s; 13.0 s");
+  find<QAbstractButton>("showDrawing")->click();
+  EXPECT_TRUE(text("state").startsWith("Grinding: ")) << text("state").toStdString();
 }
 
 TEST_F(Window, KeepsTheChosenCornerWhenAValueChanges) {

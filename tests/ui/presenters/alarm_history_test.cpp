@@ -103,6 +103,18 @@ TEST_F(History, ShowsActiveAlarmsAloneWhereThatIsAskedFor) {
   EXPECT_FALSE(m_history->chosen());
 }
 
+// A fault of one axis often brings others: the first says what is to be done.
+TEST_F(History, ChoosesTheFirstOfSeveralThatAreActive) {
+  begin();
+  m_machine->enable();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return m_machine->allowed().home; }, test::kPatience));
+  m_machine->inject(control::SimulatedFault::DriveFault);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !m_machine->alarms().empty(); }, test::kPatience));
+  m_machine->inject(control::SimulatedFault::EmergencyStop);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return m_machine->alarms().size() > 1; }, test::kPatience));
+  EXPECT_EQ(m_history->chosen()->alarm.code, m_machine->alarms().front().logged.code);
+}
+
 TEST_F(History, CountsDamagedLinesAndTellsThem) {
   putAlarm("2031-05-06T07:08:09", "coolant-loss");
   putLine("{\"time\":\"2031-05");

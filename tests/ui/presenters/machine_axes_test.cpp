@@ -17,7 +17,7 @@ namespace {
 
 using control::JobState;
 using control::State;
-using Axes = files::Settings::Axes;
+using Axes = files::Axes;
 
 bool waitFor(const std::function<bool()>& isSo) {
   return QTest::qWaitFor(isSo, test::kPatience);

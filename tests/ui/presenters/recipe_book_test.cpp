@@ -118,7 +118,7 @@ TEST_F(Book, SaysWhyItCannotSave) {
 }
 
 TEST_F(Book, SuggestsANameThatCanBeOne) {
-  EXPECT_EQ(m_book.suggestedName(), "12 mm, wheel 75 mm");
+  EXPECT_EQ(m_book.suggestedName(), "12 mm, wheel R 75 mm");
   EXPECT_TRUE(files::isRecipeName(m_book.suggestedName().toStdString()));
 }
 

@@ -182,6 +182,21 @@ TEST(ResumeOffer, OfAnotherStateOfThePatternSaysWhatDiffersAndSetsItAside) {
   EXPECT_TRUE(std::filesystem::exists(machine.resumeOffer().aside()));
 }
 
+// A pane that was broken off in a simulation does not lie on the machine.
+TEST(ResumeOffer, OfOtherAxesIsNotTakenUpAndStays) {
+  const test::Scratch scratch;
+  files::ResumePoint point = pointIn(planNamed("triangle.dxf")->job);
+  point.axes = files::Axes::Linuxcnc;
+  leave(point, scratch);
+  MachineLink machine(fastWith(scratch));
+  machine.resumeOffer().takeUp();
+  EXPECT_EQ(machine.resumeOffer().state(), Offer::Offered);
+  ASSERT_EQ(machine.resumeOffer().problems().size(), 1U);
+  EXPECT_THAT(base::describe(machine.resumeOffer().problems()[0]),
+              testing::HasSubstr("axes was linuxcnc, now it is simulated"));
+  EXPECT_TRUE(std::filesystem::exists(folderIn(scratch).resumePoint()));
+}
+
 TEST(ResumeOffer, WhosePatternOrMachineIsNotThereStaysAndCanBeTriedAgain) {
   const test::Scratch scratch;
   files::ResumePoint point = pointIn(planNamed("triangle.dxf")->job);

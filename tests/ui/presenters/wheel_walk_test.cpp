@@ -178,7 +178,7 @@ job::Sample sampleInTransition() {
 
 TEST(WheelText, SaysWhereTheWheelIs) {
   EXPECT_EQ(wheelText(sampleInTransition(), 78.2, test::kEnglish).toStdString(),
-            "X 312.40  Y 118.02  Z 40.00 mm · 12.34 s of 1 min 18.2 s\n"
+            "Planned: X 312.40  Y 118.02  Z 40.00 mm · 12.34 s of 1 min 18.2 s\n"
             "Transition, corner 3 · 38.2 mm/s · 101.6 mm to the corner");
   job::Sample cruise = sampleInTransition();
   cruise.phase = job::Phase::Cruise;
@@ -187,11 +187,12 @@ TEST(WheelText, SaysWhereTheWheelIs) {
 }
 
 TEST(WheelText, HasTheOperatorsNumbersAndUnit) {
-  EXPECT_TRUE(wheelText(sampleInTransition(), 78.2, test::kGerman).startsWith("X 312,40  Y 118,02  Z 40,00 mm"));
+  EXPECT_TRUE(
+      wheelText(sampleInTransition(), 78.2, test::kGerman).startsWith("Planned: X 312,40  Y 118,02  Z 40,00 mm"));
   showLengthsIn(LengthUnit::Inch);
   const QString inches = wheelText(sampleInTransition(), 78.2, test::kEnglish);
   showLengthsIn(LengthUnit::Millimetre);
-  EXPECT_EQ(inches.toStdString(), "X 12.299  Y 4.646  Z 1.575 in · 12.34 s of 1 min 18.2 s\n"
+  EXPECT_EQ(inches.toStdString(), "Planned: X 12.299  Y 4.646  Z 1.575 in · 12.34 s of 1 min 18.2 s\n"
                                   "Transition, corner 3 · 1.50 in/s · 4.00 in to the corner");
 }
 
