@@ -3043,12 +3043,16 @@ Programm: %2</translation>
         <translation>Scheiben</translation>
     </message>
     <message>
-        <source>Pane %1 was broken off: after the alarm is acknowledged, CYCLE START goes on with it. “Reject”, or loading a job, gives it up.</source>
-        <translation>Scheibe %1 wurde abgebrochen: ZYKLUSSTART setzt sie fort, sobald ein Alarm quittiert ist. Mit „Ausschuss“ oder „Auftrag laden“ wird sie verworfen.</translation>
+        <source>What is planned on the page Job cannot be ground: nothing can be loaded before that is put right.</source>
+        <translation>Was auf der Seite „Auftrag“ geplant ist, kann nicht geschliffen werden: Erst wenn das behoben ist, kann geladen werden.</translation>
     </message>
     <message>
-        <source>What is planned on the page Job cannot be ground: nothing can be loaded before that is put right.</source>
-        <translation>Was auf der Seite „Auftrag“ geplant ist, kann nicht geschliffen werden: Vorher ist nichts zu laden.</translation>
+        <source>Pane %1 was broken off. After the alarm CYCLE START goes on with it; “Reject”, or loading a job, gives it up.</source>
+        <translation>Scheibe %1 wurde abgebrochen. Nach dem Alarm setzt ZYKLUSSTART sie fort; „Ausschuss“ oder „Auftrag laden“ verwirft sie.</translation>
+    </message>
+    <message>
+        <source>Pane %1 was broken off: CYCLE START goes on with it. “Reject”, or loading a job, gives it up.</source>
+        <translation>Scheibe %1 wurde abgebrochen: ZYKLUSSTART setzt sie fort; „Ausschuss“ oder „Auftrag laden“ verwirft sie.</translation>
     </message>
 </context>
 <context>

@@ -3012,7 +3012,7 @@ Programma: %2</translation>
     </message>
     <message>
         <source>The pane is interrupted: resume it, or stop it, before a job is loaded.</source>
-        <translation>La lastra è interrotta: riprenderla o arrestarla prima di caricare un lavoro.</translation>
+        <translation>La lastra è sospesa: riprenderla o arrestarla prima di caricare un lavoro.</translation>
     </message>
     <message>
         <source>Values have changed; this pane stays as it was loaded. After it load the job for the next pane.</source>
@@ -3043,12 +3043,16 @@ Programma: %2</translation>
         <translation>Lastre</translation>
     </message>
     <message>
-        <source>Pane %1 was broken off: after the alarm is acknowledged, CYCLE START goes on with it. “Reject”, or loading a job, gives it up.</source>
-        <translation>Lastra %1 interrotta: confermato l&apos;allarme, AVVIO CICLO la prosegue. «Scarto» o il caricamento di un lavoro la abbandonano.</translation>
-    </message>
-    <message>
         <source>What is planned on the page Job cannot be ground: nothing can be loaded before that is put right.</source>
         <translation>Quanto è previsto nella pagina «Lavoro» non si può molare: prima di correggerlo non si carica nulla.</translation>
+    </message>
+    <message>
+        <source>Pane %1 was broken off. After the alarm CYCLE START goes on with it; “Reject”, or loading a job, gives it up.</source>
+        <translation>Lastra %1 interrotta. Dopo l&apos;allarme AVVIO CICLO la prosegue; «Scarto» o il caricamento di un lavoro la abbandona.</translation>
+    </message>
+    <message>
+        <source>Pane %1 was broken off: CYCLE START goes on with it. “Reject”, or loading a job, gives it up.</source>
+        <translation>Lastra %1 interrotta: AVVIO CICLO la prosegue; «Scarto» o il caricamento di un lavoro la abbandona.</translation>
     </message>
 </context>
 <context>

@@ -112,7 +112,7 @@
     </message>
     <message>
         <source>Save a support bundle and report it. Acknowledge to go on.</source>
-        <translation>保存支持包并上报。确认报警后可继续。</translation>
+        <translation>保存技术支持包并上报。确认报警后可继续。</translation>
     </message>
     <message>
         <source>{axis} stands {value} mm away from its set-point.</source>
@@ -3043,12 +3043,16 @@ Program: %2</source>
         <translation>片数</translation>
     </message>
     <message>
-        <source>Pane %1 was broken off: after the alarm is acknowledged, CYCLE START goes on with it. “Reject”, or loading a job, gives it up.</source>
-        <translation>第 %1 片已中断：确认报警后，按循环启动继续磨削这一片。按“不合格”或加载任务则放弃它。</translation>
-    </message>
-    <message>
         <source>What is planned on the page Job cannot be ground: nothing can be loaded before that is put right.</source>
         <translation>“任务”页上的计划无法磨削：改正之前不能加载。</translation>
+    </message>
+    <message>
+        <source>Pane %1 was broken off. After the alarm CYCLE START goes on with it; “Reject”, or loading a job, gives it up.</source>
+        <translation>第 %1 片已中断。报警确认后，按循环启动继续磨削这一片；按“不合格”或加载任务则放弃它。</translation>
+    </message>
+    <message>
+        <source>Pane %1 was broken off: CYCLE START goes on with it. “Reject”, or loading a job, gives it up.</source>
+        <translation>第 %1 片已中断：按循环启动继续磨削这一片；按“不合格”或加载任务则放弃它。</translation>
     </message>
 </context>
 <context>

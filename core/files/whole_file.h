@@ -47,7 +47,7 @@ private:
 /// The largest file that is read, bytes: more than any drawing or profile, less than would exhaust the machine.
 inline constexpr std::size_t kLargestFile = std::size_t{1} << 30;
 
-/// The bytes of a file; CannotOpen or CannotRead with the reason.
+/// The bytes of a file; CannotOpen or CannotRead with the reason. A named pipe that nobody writes to is empty.
 [[nodiscard]] base::Expected<std::string> readFile(const std::filesystem::path& file);
 
 } // namespace arris::files

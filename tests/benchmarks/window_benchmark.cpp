@@ -54,25 +54,32 @@ void show(ui::DrawingView& view) {
   }
 }
 
+void waitUntilDrawn(const ui::DrawingView& view, const bool& planned) {
+  waitFor(planned);
+  while (!view.isUpToDate()) {
+    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  }
+}
+
 void recipeChangeToDrawing(benchmark::State& state) {
   needApplication();
   ui::Planner planner({}, waved(state.range(0)));
   ui::DrawingView view;
   show(view);
-  bool drawn = false;
+  bool planned = false;
   QObject::connect(&planner, &ui::Planner::planned, &view, [&](const ui::PlanPointer& plan) {
     view.setPlan(plan);
     view.viewport()->repaint();
-    drawn = true;
+    planned = true;
   });
   planner.openPattern("waved.dxf");
-  waitFor(drawn);
+  waitUntilDrawn(view, planned);
   recipe::Recipe recipe;
   for (auto _ : state) {
     recipe.depth = recipe.depth == 0.3 ? 0.2 : 0.3;
-    drawn = false;
+    planned = false;
     planner.setRecipe(recipe);
-    waitFor(drawn);
+    waitUntilDrawn(view, planned);
   }
 }
 
@@ -101,12 +108,14 @@ void repaintPanning(benchmark::State& state) {
     view.zoomIn();
   }
   view.viewport()->repaint();
+  waitUntilDrawn(view, true);
   int step = 3;
   std::int64_t frames = 0;
   for (auto _ : state) {
     step = ++frames % 200 == 0 ? -step : step;
     view.horizontalScrollBar()->setValue(view.horizontalScrollBar()->value() + step);
     view.viewport()->repaint();
+    QCoreApplication::processEvents(); // what was painted beside arrives
   }
 }
 
@@ -122,6 +131,7 @@ void repaintRunning(benchmark::State& state) {
   int segment = 0;
   view.setWheel(ui::LiveWheel{{0, 0}, {0, 0}});
   view.viewport()->repaint();
+  waitUntilDrawn(view, true);
   for (auto _ : state) { // a report each 20 ms: so many segments at most at the usual feed
     segment = (segment + 10) % static_cast<int>(track.size());
     const auto& way = track[static_cast<std::size_t>(segment)];

@@ -143,7 +143,7 @@ QString ProfilePlot::titleInMillimetres(Panel panel, bool inWords) {
 // Words where they fit beside the panels, symbols where they do not.
 void ProfilePlot::setAxisTitles(double height) {
   const double each = (height / m_style.unit - kTimeAxisHeight) / static_cast<double>(m_panels.size()) - kPanelGap;
-  const int ticks = std::clamp(static_cast<int>(each / kTickPitch), 2, 4);
+  const int ticks = std::clamp(static_cast<int>(each / kTickPitch), 3, 4);
   for (const PanelParts& panel : m_panels) {
     panel.rect->axis(QCPAxis::atLeft)->ticker()->setTickCount(ticks);
     panel.rect->axis(QCPAxis::atLeft)->setLabel(axisTitle(panel.kind, each > kPanelHeightForWords, m_style.lengths));
@@ -170,14 +170,16 @@ QColor ProfilePlot::colorOf(Panel panel) const {
 
 void ProfilePlot::setProfiles(const std::vector<ProfileCurves>& profiles, const ProfileLimits& limits, bool keepView) {
   clearGraphs();
+  for (PanelParts& panel : m_panels) {
+    panel.graphs.clear();
+    panel.curves.clear();
+  }
   m_cornerBands = profiles.empty() ? std::vector<CornerBand>() : profiles.front().bands;
   m_bands->show(m_cornerBands, limits.corners, m_panels.back().rect);
   setTimes(profiles);
   for (PanelParts& panel : m_panels) {
     panel.rect->axis(QCPAxis::atLeft)->setTickLabels(!profiles.empty()); // a scale of nothing says nothing
-    panel.graphs.clear();
     panel.rect->axis(QCPAxis::atRight)->ticker().dynamicCast<QCPAxisTickerText>()->clear();
-    panel.curves.clear();
     panel.travel = travelFor(panel.kind, limits);
     setRange(panel, profiles, limits);
     addLimits(panel, limits);

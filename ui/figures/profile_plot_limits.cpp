@@ -20,7 +20,7 @@ constexpr double kTravelNear = 0.25;
 
 constexpr double kRoom = 0.12; // above and below what is shown, of its size
 
-constexpr double kLeastPositionRoom = 1; // mm, round an axis that stands still
+constexpr double kLeastPositionRange = 1; // mm, of an axis that stands still
 
 bool isPosition(Panel panel) {
   return panel == Panel::PositionX || panel == Panel::PositionY;
@@ -145,7 +145,8 @@ void ProfilePlot::fitPositions() {
       }
     }
     if (values.least <= values.most) {
-      const double room = std::max(kRoom * (values.most - values.least), shown(kLeastPositionRoom));
+      const double shownSize = values.most - values.least;
+      const double room = std::max(kRoom * shownSize, (shown(kLeastPositionRange) - shownSize) / 2);
       for (const auto side : {QCPAxis::atLeft, QCPAxis::atRight}) {
         panel.rect->axis(side)->setRange(values.least - room, values.most + room);
       }

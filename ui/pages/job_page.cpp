@@ -269,7 +269,8 @@ void JobPage::showState() {
   } else if (!m_plan) {
     m_state->setText(m_planner.isBusy() ? tr("Reading and planning…") : tr("No pattern is open."));
   } else if (const int corner = m_findings->selectedCorner();
-             corner > 0 && m_findings->isHidden() && corner <= static_cast<int>(m_plan->job.toolpath.corners.size())) {
+             m_plan->job.canBeGround() && corner > 0 && m_findings->isHidden() &&
+             corner <= static_cast<int>(m_plan->job.toolpath.corners.size())) {
     m_state->setText(CornerCard::inShort(m_plan->job, corner));
   } else if (m_plan->job.canBeGround()) {
     const auto unbroken = [](double time) {

@@ -5,6 +5,7 @@
 #include "ui/text/file_texts.h"
 #include "ui/text/quantities.h"
 #include "ui/widgets/number_edit.h"
+#include "ui/widgets/sign_button.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -60,6 +61,7 @@ QWidget* OrderPanel::makeVerdict() {
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
   m_counts->setObjectName(QStringLiteral("paneCounts"));
+  m_counts->setTextFormat(Qt::PlainText); // names may hold anything
   m_good = new QPushButton(tr("Good"));
   m_good->setObjectName(QStringLiteral("paneGood"));
   m_good->setAccessibleName(tr("The pane is good"));
@@ -74,20 +76,12 @@ QWidget* OrderPanel::makeVerdict() {
   return box;
 }
 
-QPushButton* OrderPanel::makeSign(const QString& sign, const QString& name, const QString& what) {
-  auto* button = new QPushButton(sign);
-  button->setObjectName(name);
-  button->setAccessibleName(what);
-  button->setProperty("sign", true);
-  return button;
-}
-
 QWidget* OrderPanel::makeOrder() {
   auto* box = new QWidget;
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
-  m_fewer = makeSign(QStringLiteral("−"), QStringLiteral("panesFewer"), tr("Fewer panes"));
-  m_more = makeSign(QStringLiteral("+"), QStringLiteral("panesMore"), tr("More panes"));
+  m_fewer = makeSignButton(QStringLiteral("−"), QStringLiteral("panesFewer"), tr("Fewer panes"));
+  m_more = makeSignButton(QStringLiteral("+"), QStringLiteral("panesMore"), tr("More panes"));
   connect(m_fewer, &QPushButton::clicked, this, [this] { changePanes(-1); });
   connect(m_more, &QPushButton::clicked, this, [this] { changePanes(1); });
   m_wanted->setObjectName(QStringLiteral("panesWanted"));
@@ -112,8 +106,8 @@ QWidget* OrderPanel::makeCorrection() {
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
   const recipe::NumberField& field = recipe::numberField(&recipe::Recipe::sizeCorrection);
-  m_smaller = makeSign(QStringLiteral("−"), QStringLiteral("correctionDown"), tr("Grind the next pane smaller"));
-  m_larger = makeSign(QStringLiteral("+"), QStringLiteral("correctionUp"), tr("Leave the next pane larger"));
+  m_smaller = makeSignButton(QStringLiteral("−"), QStringLiteral("correctionDown"), tr("Grind the next pane smaller"));
+  m_larger = makeSignButton(QStringLiteral("+"), QStringLiteral("correctionUp"), tr("Leave the next pane larger"));
   m_correction = new NumberEdit({QStringLiteral("nextPaneCorrection"), tr("Size correction, next pane"),
                                  QStringLiteral("mm"), field.least, field.most},
                                 m_planner.recipe().sizeCorrection);
@@ -200,10 +194,12 @@ QString OrderPanel::hint() const {
     return m_correction->complaint();
   }
   if (order.open() == OrderBook::Open::Broken) {
-    return tr("Pane %1 was broken off: after the alarm is acknowledged, CYCLE START goes on with it. “Reject”, or "
-              "loading a "
-              "job, gives it up.")
-        .arg(order.pane());
+    const QString words = m_machine.allowed().acknowledge
+                              ? tr("Pane %1 was broken off. After the alarm CYCLE START goes on with it; “Reject”, or "
+                                   "loading a job, gives it up.")
+                              : tr("Pane %1 was broken off: CYCLE START goes on with it. “Reject”, or loading a job, "
+                                   "gives it up.");
+    return words.arg(order.pane());
   }
   if (job == JobState::Interrupted) {
     return tr("The pane is interrupted: resume it, or stop it, before a job is loaded.");

@@ -23,7 +23,6 @@ private:
   QWidget* makeVerdict();
   QWidget* makeOrder();
   QWidget* makeCorrection();
-  static QPushButton* makeSign(const QString& sign, const QString& name, const QString& what);
   void judge(files::Verdict verdict);
   void changePanes(int by);
   void changeCorrection(double to);

@@ -52,9 +52,11 @@ ProfilesPage::ProfilesPage(Planner& planner, ProfileFiles& files, ProfileSight& 
 
 ProfilesPage::~ProfilesPage() {
   m_sight.times.reset();
-  if (!m_shown.empty() &&
-      !m_anew.at(content() == ProfileSight::Positions ? ProfileSight::Positions : ProfileSight::Speeds)) {
-    m_sight.times = timePlot().shownTimes();
+  const bool hasSpeeds = !m_anew.at(ProfileSight::Speeds);
+  if (content() != ProfileSight::Positions && hasSpeeds) {
+    m_sight.times = m_speeds->shownTimes();
+  } else if (!m_anew.at(ProfileSight::Positions)) {
+    m_sight.times = m_positions->shownTimes();
   }
 }
 
@@ -308,7 +310,11 @@ void ProfilesPage::feed() {
   feedPlot(now, !isAnew);
   m_stale.at(now) = m_anew.at(now) = false;
   if (isAnew && m_sight.pass) {
-    showPass(*m_sight.pass);
+    if (now == ProfileSight::Path) { // times may have been zoomed since
+      m_path->showPass(m_passes.at(*m_sight.pass));
+    } else {
+      showPass(*m_sight.pass);
+    }
   }
 }
 

@@ -203,6 +203,7 @@ void RecipeDialog::exportFile() {
 
 void RecipeDialog::ask(const QString& question, const std::function<void()>& act) {
   m_asked = act;
+  m_tellsNone = false;
   m_sign->setPixmap({});
   m_message->setText(question);
   showAllowed();
@@ -229,6 +230,7 @@ void RecipeDialog::tell(const base::Problems& problems, const QString& done) {
   m_sign->setPixmap(problems.empty()
                         ? QPixmap()
                         : signIcon(hasFailed ? base::Severity::Error : base::Severity::Warning).pixmap(kRecipeSign));
+  m_tellsNone = false;
   m_message->setText(breakableAtFolders(lines.join(QLatin1Char('\n'))));
   showRecipes();
 }
@@ -240,9 +242,11 @@ void RecipeDialog::showRecipes() {
     std::erase_if(shown, [&](const files::NamedRecipe& recipe) { return recipe.recipe.thickness != thickness; });
   }
   const QString before = chosen().isEmpty() ? m_book.current() : chosen();
-  if (shown.empty() && m_message->text().isEmpty()) {
-    m_message->setText(m_book.recipes().empty() ? tr("No recipe has been saved yet.")
-                                                : tr("No recipe is for this thickness of glass."));
+  const QString none =
+      m_book.recipes().empty() ? tr("No recipe has been saved yet.") : tr("No recipe is for this thickness of glass.");
+  if (m_message->text().isEmpty() || m_tellsNone) {
+    m_tellsNone = shown.empty();
+    m_message->setText(m_tellsNone ? none : QString());
   }
   m_model->setRecipes(std::move(shown));
   const int row = m_model->rowOf(before);

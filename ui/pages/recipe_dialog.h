@@ -52,6 +52,7 @@ private:
   RecipeBook& m_book;
   bool m_isOpen;
   bool m_thisGlassOnly = false;
+  bool m_tellsNone = false; ///< the message says why the list is empty
   RecipeModel* m_model;
   QTableView* m_table;
   QLineEdit* m_name;

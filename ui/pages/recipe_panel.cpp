@@ -4,6 +4,7 @@
 #include "ui/pages/recipe_fields.h"
 #include "ui/text/file_texts.h"
 #include "ui/widgets/segments.h"
+#include "ui/widgets/sign_button.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -25,9 +26,9 @@ QString elidedTo(const QLabel& label, const QString& text) {
 RecipePanel::RecipePanel(Planner& planner, RecipeDesk& desk, QWidget* parent)
     : QWidget(parent), m_planner(planner), m_desk(desk), m_open(new QPushButton(tr("&Pattern…"))),
       m_recipes(new QPushButton(tr("&Recipes…"))), m_pattern(new QLabel), m_recipe(new QLabel),
-      m_undo(makeStep(QStringLiteral("↶"), QStringLiteral("undo"), tr("Undo"), QKeySequence::Undo)),
-      m_redo(makeStep(QStringLiteral("↷"), QStringLiteral("redo"), tr("Redo"), QKeySequence::Redo)),
-      m_moreHeading(new QLabel), m_fields(new RecipeFields(planner.recipe(), planner.machine())) {
+      m_undo(makeSignButton(QStringLiteral("↶"), QStringLiteral("undo"), tr("Undo"))),
+      m_redo(makeSignButton(QStringLiteral("↷"), QStringLiteral("redo"), tr("Redo"))), m_moreHeading(new QLabel),
+      m_fields(new RecipeFields(planner.recipe(), planner.machine())) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 0, 8, 0);
   layout->setSpacing(2);
@@ -36,6 +37,8 @@ RecipePanel::RecipePanel(Planner& planner, RecipeDesk& desk, QWidget* parent)
   layout->addWidget(makePages());
   layout->addWidget(makeMore());
   layout->addWidget(m_fields, 1);
+  m_undo->setShortcut(QKeySequence::Undo);
+  m_redo->setShortcut(QKeySequence::Redo);
   connect(m_open, &QPushButton::clicked, this, &RecipePanel::openRequested);
   connect(m_recipes, &QPushButton::clicked, this, &RecipePanel::askForRecipe);
   connect(m_undo, &QPushButton::clicked, this, &RecipePanel::undo);
@@ -50,18 +53,6 @@ RecipePanel::RecipePanel(Planner& planner, RecipeDesk& desk, QWidget* parent)
   connect(&desk.history, &RecipeHistory::changed, this, &RecipePanel::showSteps);
   showPage(RecipeFields::Grinding);
   showSteps();
-}
-
-QPushButton* RecipePanel::makeStep(const QString& sign, const QString& name, const QString& what,
-                                   const QKeySequence& key) {
-  auto* button = new QPushButton;
-  button->setText(sign);
-  button->setObjectName(name);
-  button->setToolTip(what);
-  button->setAccessibleName(what);
-  button->setShortcut(key);
-  button->setProperty("sign", true);
-  return button;
 }
 
 QWidget* RecipePanel::makeButtons() {
@@ -116,7 +107,7 @@ QWidget* RecipePanel::makeMore() {
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(kRecipePanelGap);
   const auto addTurn = [&](const QString& sign, const QString& name, const QString& what, int pages) {
-    QPushButton* button = makeStep(sign, name, what, {});
+    QPushButton* button = makeSignButton(sign, name, what);
     connect(button, &QPushButton::clicked, this, [this, pages] { turn(pages); });
     row->addWidget(button);
   };

@@ -42,7 +42,6 @@ private:
   QWidget* makeNames();
   QWidget* makePages();
   QWidget* makeMore();
-  static QPushButton* makeStep(const QString& sign, const QString& name, const QString& what, const QKeySequence& key);
   void showPage(int page);
   void turn(int pages);
   void undo();

@@ -6,6 +6,7 @@
 #include "ui/text/quantities.h"
 #include "ui/views/drawing_view.h"
 #include "ui/widgets/hold_button.h"
+#include "ui/widgets/sign_button.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -130,10 +131,7 @@ QWidget* RunPage::makeOverride() {
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(new QLabel(tr("Feed override")), 1);
   const auto add = [&](const QString& text, const QString& name, const QString& what, double by) {
-    auto* button = new QPushButton(text);
-    button->setObjectName(name);
-    button->setAccessibleName(what);
-    button->setProperty("sign", true);
+    QPushButton* button = makeSignButton(text, name, what);
     connect(button, &QPushButton::clicked, this, [this, by] { changeOverride(by); });
     row->addWidget(button);
   };
@@ -211,9 +209,9 @@ void RunPage::showPlaces() {
     m_toGo[i]->setText(goes ? text(toGo[axis]) : unknown);
   }
   const auto feed = [&](double speed) { return fixedLengthText(60 * speed, 0, locale); };
-  const double speed = report.velocity.norm(); // as the wheel backs off in a hold it is not the programmed one
-  const bool follows = goes && (report.state == control::State::Running || speed == 0);
-  m_speed->setText(follows
+  const double speed = report.velocity.norm();
+  const bool backsOff = report.state == control::State::Held && speed > 0; // not with the programmed speed
+  m_speed->setText(goes && !backsOff
                        ? inShownUnits(tr("%1 of %2 mm/min")).arg(feed(speed), feed(report.feed * report.overrideFactor))
                        : inShownUnits(tr("%1 mm/min")).arg(feed(speed)));
 }

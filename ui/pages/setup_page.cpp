@@ -288,17 +288,33 @@ void SetupPage::showAllowed() {
   m_trace->setEnabled(allowed.move && m_machine.loaded());
   m_park->setEnabled(allowed.move);
   showJog(allowed);
-  const control::Report& report = m_machine.report();
-  const auto& absence = m_machine.absence();
-  m_guide->setText(absence               ? tr("Nothing can be moved: %1").arg(problemText(*absence, QLocale()))
-                   : allowed.acknowledge ? tr("Read the alarm above, remove its cause, acknowledge it.")
-                   : allowed.enable      ? tr("Next: switch the drives on.")
-                   : !report.homed       ? tr("Next: home all axes, so that their places are known.")
-                   : !m_machine.loaded() ? tr("Next: load the job on the page Run.")
-                   : allowed.start       ? tr("Ready for the cycle start on the page Run.")
-                   : allowed.resume      ? tr("Held: go on with RESUME on the page Run, or STOP.")
-                   : allowed.stop        ? tr("Something moves: until it ends nothing is moved from here.")
-                                         : QString());
+  m_guide->setText(guide(allowed));
+}
+
+// What comes next, or what is in the way of it.
+QString SetupPage::guide(const Allowed& allowed) const {
+  using control::State;
+  const State state = m_machine.report().state;
+  if (const auto& absence = m_machine.absence()) {
+    return tr("Nothing can be moved: %1").arg(problemText(*absence, QLocale()));
+  }
+  if (allowed.acknowledge || state == State::Faulted || state == State::EmergencyStop) {
+    return tr("Read the alarm above, remove its cause, acknowledge it.");
+  }
+  if (allowed.enable) {
+    return tr("Next: switch the drives on.");
+  }
+  if (allowed.resume) {
+    return tr("Held: go on with RESUME on the page Run, or STOP.");
+  }
+  if (allowed.stop && state != State::Jogging) {
+    return tr("Something moves: until it ends nothing is moved from here.");
+  }
+  if (!m_machine.report().homed) {
+    return tr("Next: home all axes, so that their places are known.");
+  }
+  return m_machine.loaded() ? tr("Ready for the cycle start on the page Run.")
+                            : tr("Next: load the job on the page Run.");
 }
 
 void SetupPage::showJog(const Allowed& allowed) {

@@ -40,6 +40,7 @@ private:
   void chooseStep(int step);
   void showPart(int part);
   void showAllowed();
+  [[nodiscard]] QString guide(const Allowed& allowed) const;
   void showJog(const Allowed& allowed);
   void showReport();
 

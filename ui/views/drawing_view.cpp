@@ -6,7 +6,9 @@
 #include <QGestureEvent>
 #include <QMouseEvent>
 #include <QPinchGesture>
+#include <QPointer>
 #include <QScrollBar>
+#include <QThreadPool>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -27,9 +29,7 @@ constexpr double kPlaceRoom = 60;   // mm round a marked place
 constexpr double kSceneRoom = 20;   // times the drawing's size can be panned
 
 constexpr double kStillMargin = 0.25; // of the view, each way
-constexpr double kGroundLine = 5;     // px
-constexpr double kGroundTolerance = 0.3;
-constexpr int kGroundPoints = 100; // of the segment that the wheel is on
+constexpr int kGroundAtOnce = 2000;   // segments that are added in one painting
 
 constexpr int kLegendFromWidth = 700; // px
 constexpr int kLegendFromHeight = 420;
@@ -64,9 +64,8 @@ void DrawingView::setPlan(PlanPointer plan) {
   }
   const bool another = !m_plan || !plan || m_plan->import->file != plan->import->file;
   m_plan = std::move(plan);
-  m_linesFor.reset();
-  m_still = {};
   if (another) {
+    m_still = {};
     m_selected = 0;
     m_marked.reset();
   }
@@ -88,7 +87,6 @@ void DrawingView::setEmptyText(const QString& text) {
 
 void DrawingView::selectCorner(int corner) {
   m_selected = corner;
-  m_still = {};
   m_marked.reset();
   viewport()->update();
 }
@@ -163,17 +161,6 @@ QRectF DrawingView::frame() const {
   return QRectF(viewport()->rect());
 }
 
-// A tap meets the labels where they are now.
-void DrawingView::moveLabels() {
-  const QPointF moved = viewportTransform().map(QPointF()) - m_labelsFor.map(QPointF());
-  for (CornerLabel& label : m_labels) {
-    label.anchor += moved;
-    label.badge.translate(moved);
-    label.box.translate(moved);
-  }
-  m_labelsFor = viewportTransform();
-}
-
 void DrawingView::drawBackground(QPainter* painter, const QRectF& /*rect*/) {
   painter->save();
   painter->resetTransform();
@@ -194,100 +181,136 @@ void DrawingView::drawBackground(QPainter* painter, const QRectF& /*rect*/) {
   painter->restore();
 }
 
-// A pan takes the lines along; only another scale makes them anew. So far have they moved since.
-QPointF DrawingView::flattenLines() {
-  const QTransform now = viewportTransform();
-  if (!m_linesFor || m_linesFor->m11() != now.m11() || m_linesFor->m22() != now.m22()) {
-    m_lines = flattened(m_plan->drawing, now, m_style);
-    m_linesFor = now;
-  }
-  return {now.dx() - m_linesFor->dx(), now.dy() - m_linesFor->dy()};
-}
-
 // The view with a margin: a pan within it paints nothing anew.
 QRectF DrawingView::stillFrame() const {
   const QSize margin = (frame().size() * kStillMargin).toSize(); // whole pixels, so that nothing blurs
   return frame().adjusted(-margin.width(), -margin.height(), margin.width(), margin.height());
 }
 
-bool DrawingView::isStillOutdated(int ground) const {
+QPointF DrawingView::movedSinceStill() const {
   const QTransform now = viewportTransform();
-  const QPointF moved(now.dx() - m_stillFor.dx(), now.dy() - m_stillFor.dy());
-  const bool isOtherScale = m_stillFor.m11() != now.m11() || m_stillFor.m22() != now.m22();
+  return {now.dx() - m_still.toView.dx(), now.dy() - m_still.toView.dy()};
+}
+
+bool DrawingView::hasScaleOfStill() const {
+  const QTransform now = viewportTransform();
+  return m_still.toView.m11() == now.m11() && m_still.toView.m22() == now.m22();
+}
+
+int DrawingView::groundSegments() const {
+  return m_wheel ? std::clamp(m_wheel->done.segment, 0, static_cast<int>(m_plan->job.track.size())) : 0;
+}
+
+// Less ground than there: another pane, or a step back.
+bool DrawingView::isStillOutdated() const {
   const QSize size = (stillFrame().size() * devicePixelRatioF()).toSize();
-  return m_still.isNull() || m_still.size() != size || isOtherScale ||
-         !stillFrame().translated(moved).contains(frame()) || ground < m_groundTo; // another pane, or a step back
+  const int more = groundSegments() - m_still.groundTo;
+  return m_still.plan != m_plan || m_still.selected != m_selected || m_still.picture.size() != size ||
+         !hasScaleOfStill() || !stillFrame().translated(movedSinceStill()).contains(frame()) || more < 0 ||
+         more > kGroundAtOnce;
 }
 
-// What has been ground since the last time is added; all else is painted anew only where a pan or a zoom shows more.
+// A pan will soon leave it.
+bool DrawingView::isStillShort() const {
+  const QMarginsF half =
+      QMarginsF(frame().width(), frame().height(), frame().width(), frame().height()) * (kStillMargin / 2);
+  return !frame().marginsAdded(half).translated(movedSinceStill()).contains(frame());
+}
+
+bool DrawingView::isUpToDate() const {
+  return !m_plan || !isStillOutdated();
+}
+
+// What has been ground since the last time is added; all else is painted anew only where a pan or a zoom shows more: a
+// large drawing in another thread, while the picture before stands in for it.
 void DrawingView::renewStill(QPainter::RenderHints hints) {
-  const int ground = m_wheel ? std::clamp(m_wheel->done.segment, 0, static_cast<int>(m_plan->job.track.size())) : 0;
-  const bool isAnew = isStillOutdated(ground);
-  const QRectF all = stillFrame();
-  if (isAnew) {
-    m_still = QPixmap((all.size() * devicePixelRatioF()).toSize());
-    m_still.setDevicePixelRatio(devicePixelRatioF());
-    m_still.fill(m_style.palette.paper);
-    m_stillFor = viewportTransform();
-    m_groundTo = 0;
+  if (!isStillOutdated()) {
+    QPainter painter(&m_still.picture);
+    painter.setRenderHints(hints);
+    painter.translate(-m_still.frame.topLeft());
+    for (const int ground = groundSegments(); m_still.groundTo < ground; ++m_still.groundTo) {
+      paintGround(painter, *m_plan, m_style, m_still.toView, m_still.groundTo);
+    }
+    if (isPaintedAtOnce(*m_plan) || !isStillShort()) {
+      return;
+    }
   }
-  QPainter painter(&m_still);
-  painter.setRenderHints(hints);
-  painter.translate(-all.topLeft());
-  if (isAnew) {
-    const QPointF moved = flattenLines();
-    paintDrawing(painter, m_plan->drawing, m_lines, moved, m_stillFor, all, m_style);
-    m_labels = placeCornerLabels(m_plan->drawing, m_stillFor, all, m_style);
-    m_labelsFor = m_stillFor;
-    paintCornerLabels(painter, m_labels, m_selected, m_style);
-  }
-  for (; m_groundTo < ground; ++m_groundTo) {
-    paintGround(painter, m_stillFor, m_groundTo, std::nullopt);
+  const bool hasLines = m_still.plan == m_plan;
+  const StillRequest request{m_plan,       m_selected,          viewportTransform(),
+                             stillFrame(), devicePixelRatioF(), hints,
+                             m_style,      groundSegments(),    hasLines ? m_still.lines : nullptr};
+  if (isPaintedAtOnce(*m_plan)) {
+    m_still = paintStill(request);
+  } else if (!m_isPainting) {
+    m_isPainting = true;
+    QThreadPool::globalInstance()->start([view = QPointer(this), request] { // the view may be gone by then
+      QMetaObject::invokeMethod(
+          qApp,
+          [view, still = paintStill(request)] {
+            if (view) {
+              view->take(still);
+            }
+          },
+          Qt::QueuedConnection);
+    });
   }
 }
 
-// A segment of the track, up to λ or to its end, where it goes along the glass.
-void DrawingView::paintGround(QPainter& painter, const QTransform& toView, int segment,
-                              std::optional<double> lambda) const {
-  const motion::Segment& way = m_plan->job.track[static_cast<std::size_t>(segment)];
-  if (!motion::isAlongContour(way.move)) {
-    return;
+// The next painting looks whether it is what is wanted by now.
+void DrawingView::take(const StillDrawing& still) {
+  m_isPainting = false;
+  if (still.plan == m_plan) {
+    m_still = still;
   }
-  QPolygonF ground;
-  if (lambda) {
-    const double end = std::clamp(*lambda, 0.0, motion::parameterLength(way));
-    for (int i = 0; i <= kGroundPoints; ++i) {
-      ground << toView.map(toQt(motion::evaluate(way, end * i / kGroundPoints).point.head<2>()));
-    }
-  } else {
-    ground = flattened({motion::curveOf(way)}, toView, kGroundTolerance);
-  }
-  painter.setPen(QPen(m_style.palette.lead, kGroundLine, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
-  painter.setBrush(Qt::NoBrush);
-  painter.drawPolyline(ground);
+  viewport()->update();
 }
 
 void DrawingView::paintOverStill(QPainter& painter) {
   renewStill(painter.renderHints());
   const QTransform now = viewportTransform();
-  painter.drawPixmap(stillFrame().topLeft() + QPointF(now.dx() - m_stillFor.dx(), now.dy() - m_stillFor.dy()), m_still);
-  moveLabels();
+  const QPointF moved = movedSinceStill();
+  if (!m_still.plan) { // it is being painted
+    painter.fillRect(frame(), m_style.palette.paper);
+  } else if (hasScaleOfStill()) {
+    painter.drawImage(m_still.frame.topLeft() + moved, m_still.picture);
+  } else { // as much as there is of it
+    painter.save();
+    painter.setTransform(m_still.toView.inverted() * now, true);
+    painter.drawImage(m_still.frame.topLeft(), m_still.picture);
+    painter.restore();
+  }
   paintLegend(painter);
   if (!m_wheel) {
     return;
   }
-  if (m_groundTo == m_wheel->done.segment && m_groundTo < static_cast<int>(m_plan->job.track.size())) {
-    paintGround(painter, now, m_groundTo, m_wheel->done.lambda);
+  if (m_still.groundTo == m_wheel->done.segment && m_still.groundTo < static_cast<int>(m_plan->job.track.size())) {
+    paintGround(painter, *m_plan, m_style, now, m_still.groundTo, m_wheel->done.lambda);
   }
   paintWheel(painter);
+}
+
+// A tap meets the labels where they are now.
+std::vector<CornerLabel> DrawingView::labels() const {
+  if (m_still.plan != m_plan || !hasScaleOfStill()) {
+    return {};
+  }
+  std::vector<CornerLabel> labels = m_still.labels;
+  const QPointF moved = movedSinceStill();
+  for (CornerLabel& label : labels) {
+    label.anchor += moved;
+    label.badge.translate(moved);
+    label.box.translate(moved);
+  }
+  return labels;
 }
 
 // Of what is to be seen: glass, path and the numbers of the corners.
 bool DrawingView::isDrawnOn(const QRectF& place) const {
   const geometry::Box& box = m_plan->drawing.box;
   const QRectF drawn = viewportTransform().mapRect(QRectF(toQt(box.min()), toQt(box.max())));
-  return drawn.intersects(place) || std::any_of(m_labels.begin(), m_labels.end(),
-                                                [&](const CornerLabel& label) { return label.box.intersects(place); });
+  const std::vector<CornerLabel> now = labels();
+  return drawn.intersects(place) ||
+         std::any_of(now.begin(), now.end(), [&](const CornerLabel& label) { return label.box.intersects(place); });
 }
 
 // In the lower left corner, where the view is large enough to spare the room and nothing is drawn there.
@@ -319,7 +342,7 @@ int DrawingView::cornerAt(const QPointF& place) const {
   if (!m_plan) {
     return 0;
   }
-  for (const CornerLabel& label : m_labels) {
+  for (const CornerLabel& label : labels()) {
     const double grow = std::max(0.0, kTapReach - label.box.height() / 2);
     if (label.box.adjusted(-grow, -grow, grow, grow).contains(place)) {
       return label.corner;
@@ -358,9 +381,10 @@ const base::Problem* DrawingView::findingAt(const QPointF& place) const {
 }
 
 QRectF DrawingView::labelOf(int corner) const {
-  const auto label = std::find_if(m_labels.begin(), m_labels.end(),
+  const std::vector<CornerLabel> now = labels();
+  const auto label = std::find_if(now.begin(), now.end(),
                                   [corner](const CornerLabel& candidate) { return candidate.corner == corner; });
-  return label != m_labels.end() ? label->box : QRectF();
+  return label != now.end() ? label->box : QRectF();
 }
 
 bool DrawingView::isTap(const QMouseEvent& event) const {

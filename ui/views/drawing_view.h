@@ -1,14 +1,12 @@
 #pragma once
 
 #include "core/program/input_point.h"
-#include "ui/figures/corner_labels.h"
-#include "ui/figures/drawing_painter.h"
 #include "ui/figures/style.h"
 #include "ui/presenters/planner.h"
+#include "ui/views/still_drawing.h"
 
 #include <QGraphicsView>
 #include <QPainter>
-#include <QPixmap>
 
 #include <vector>
 
@@ -56,8 +54,12 @@ public:
   /// Where a corner's number stands in the view; an invalid rectangle where it is not shown.
   [[nodiscard]] QRectF labelOf(int corner) const;
 
+  /// All that is wanted is painted; a large drawing comes a moment after it was set or zoomed.
+  [[nodiscard]] bool isUpToDate() const;
+
 public Q_SLOTS:
   void fit();
+
   void zoomIn();
   void zoomOut();
 
@@ -86,12 +88,15 @@ private:
   void zoomBy(double factor);
   void setScale(double pixelsPerMillimetre);
   void showBox(const geometry::Box& box, double margin);
-  void moveLabels();
-  QPointF flattenLines();
+  [[nodiscard]] std::vector<CornerLabel> labels() const; ///< where they are now
   [[nodiscard]] QRectF stillFrame() const;
-  [[nodiscard]] bool isStillOutdated(int ground) const;
+  [[nodiscard]] QPointF movedSinceStill() const;
+  [[nodiscard]] bool hasScaleOfStill() const;
+  [[nodiscard]] int groundSegments() const;
+  [[nodiscard]] bool isStillOutdated() const;
+  [[nodiscard]] bool isStillShort() const;
   void renewStill(QPainter::RenderHints hints);
-  void paintGround(QPainter& painter, const QTransform& toView, int segment, std::optional<double> lambda) const;
+  void take(const StillDrawing& still);
   void paintOverStill(QPainter& painter);
   void paintWheel(QPainter& painter) const;
   [[nodiscard]] bool isOnWheel(const QPointF& place) const;
@@ -107,19 +112,14 @@ private:
 
   PlanPointer m_plan;
   FigureStyle m_style;
-  FlatDrawing m_lines;
-  std::optional<QTransform> m_linesFor; // the view when they were flattened
-  std::vector<CornerLabel> m_labels;
-  QTransform m_labelsFor; // the view that they stand in
   int m_selected = 0;
   std::optional<geometry::Point> m_marked;
   std::optional<LiveWheel> m_wheel;
   bool m_wheelMovable = false;
   std::optional<QPointF> m_grip; // where the hand holds the wheel, px from its centre
   bool m_dragsWheel = false;     // the hand has moved since
-  QPixmap m_still;               // all that a pan takes along, with what has been ground
-  QTransform m_stillFor;         // the view when it was painted
-  int m_groundTo = 0;            // segments of the track whose grinding is in it
+  StillDrawing m_still;          // all that a pan takes along, with what has been ground
+  bool m_isPainting = false;     // a newer one, in another thread
   QString m_emptyText;
   bool m_fitted = true; // the view follows the size of the window until somebody zooms or pans
   QPoint m_pressed;

@@ -17,6 +17,7 @@ QIcon signIcon(base::Severity severity) {
     paintSign(painter, QPointF(size / 2.0, size / 2.0), severity, screenStyle(size / 42.0));
     painter.end();
     icon.addPixmap(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected); // else the selection would tint it
   }
   return icon;
 }

@@ -2,10 +2,10 @@
 
 #include "ui/presenters/wheel_walk.h"
 #include "ui/text/wheel_text.h"
+#include "ui/widgets/sign_button.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QToolButton>
 
 namespace arris::ui {
 namespace {
@@ -38,20 +38,14 @@ WheelBar::WheelBar(WheelWalk& walk, QWidget* parent)
   row->addWidget(m_back);
   row->addWidget(m_place, 1);
   row->addWidget(m_on);
-  connect(m_back, &QToolButton::clicked, &walk, &WheelWalk::stepBack);
-  connect(m_on, &QToolButton::clicked, &walk, &WheelWalk::stepOn);
+  connect(m_back, &QPushButton::clicked, &walk, &WheelWalk::stepBack);
+  connect(m_on, &QPushButton::clicked, &walk, &WheelWalk::stepOn);
   connect(&walk, &WheelWalk::changed, this, &WheelBar::showPlace);
   showPlace();
 }
 
-QToolButton* WheelBar::makeStep(const QString& text, const QString& name, const QString& what) {
-  auto* button = new QToolButton;
-  button->setText(text);
-  button->setObjectName(name);
-  button->setToolTip(what);
-  button->setAccessibleName(what);
-  button->setProperty("sign", true);
-  button->setFocusPolicy(Qt::StrongFocus);
+QPushButton* WheelBar::makeStep(const QString& text, const QString& name, const QString& what) {
+  QPushButton* button = makeSignButton(text, name, what);
   button->setAutoRepeat(true);
   button->setAutoRepeatDelay(kStepDelay);
   button->setAutoRepeatInterval(kStepInterval);

@@ -3,7 +3,7 @@
 #include <QWidget>
 
 class QLabel;
-class QToolButton;
+class QPushButton;
 
 namespace arris::ui {
 
@@ -20,13 +20,13 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private:
-  static QToolButton* makeStep(const QString& text, const QString& name, const QString& what);
+  static QPushButton* makeStep(const QString& text, const QString& name, const QString& what);
   void showPlace();
 
   WheelWalk& m_walk;
-  QToolButton* m_back;
+  QPushButton* m_back;
   QLabel* m_place;
-  QToolButton* m_on;
+  QPushButton* m_on;
 };
 
 } // namespace arris::ui

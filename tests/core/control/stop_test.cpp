@@ -194,6 +194,23 @@ TEST(ResumePoint, OfAPaneThatIsDoneIsGone) {
   EXPECT_FALSE(std::filesystem::exists(scratch / "state/resume.json"));
 }
 
+TEST(RunKeeper, SaysWhichAxesMoved) {
+  const test::Scratch scratch;
+  const auto job = std::make_shared<const job::Job>(jobToStop());
+  Bench bench(job->machine);
+  bench.getReady(*job);
+  RunKeeper keeper(
+      {scratch / "state"}, job, "triangle.dxf", "0123456789abcdef", [] { return std::string("2031-05-06T07:08:09"); },
+      files::Axes::Linuxcnc);
+  bench.onPeriod = [&](const Report& report, const Cycle&) { keeper.add(report); };
+  runToGlass(bench);
+  bench.supervisor.stop();
+  ASSERT_TRUE(bench.until(State::Idle, 300));
+  const auto text = files::readFile(scratch / "state/resume.json");
+  ASSERT_TRUE(text);
+  EXPECT_EQ(files::readResumePoint(*text, "resume.json").value.axes, files::Axes::Linuxcnc);
+}
+
 TEST(RunKeeper, CountsAPaneOnceHoweverOftenItIsBrokenOff) {
   const test::Scratch scratch;
   const auto job = std::make_shared<const job::Job>(jobToStop());

@@ -1,6 +1,7 @@
 #include "core/files/whole_file.h"
 #include "tests/support/scratch.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -193,11 +194,16 @@ TEST(ReadFile, ANamedPipeIsReadToItsEndAndNotWaitedForWhereNobodyWrites) {
   const std::filesystem::path pipe = scratch / "pipe.dxf";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   EXPECT_EQ(readFile(pipe).value(), "");
-  std::thread writer([&] { std::ofstream(pipe) << std::string(1'000'000, 'x'); });
-  std::string read;
-  while (read.empty()) { // until the writer is there
-    read = readFile(pipe).value();
-  }
+  const int end = open(pipe.c_str(), O_RDWR); // so that there is a writer from the first
+  ASSERT_GE(end, 0);
+  std::thread writer([end] {
+    const std::string text(1'000'000, 'x');
+    for (std::size_t sent = 0; sent < text.size();) {
+      sent += static_cast<std::size_t>(write(end, text.data() + sent, text.size() - sent));
+    }
+    close(end);
+  });
+  const std::string read = readFile(pipe).value();
   writer.join();
   EXPECT_EQ(read, std::string(1'000'000, 'x'));
 }

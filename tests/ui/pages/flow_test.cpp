@@ -8,6 +8,7 @@
 #include "tests/ui/support/steps.h"
 #include "ui/main_window.h"
 #include "ui/pages/job_page.h"
+#include "ui/views/drawing_view.h"
 #include "ui/widgets/theme.h"
 
 #include <QLabel>
@@ -130,6 +131,14 @@ protected:
     ASSERT_TRUE(becomesIdle());
   }
 
+  // A large drawing comes a moment later: on the window's thread its painting would be told as an offence.
+  void expectPaintedBeside() {
+    auto* view = m_window.findChild<JobPage*>()->findChild<DrawingView*>();
+    const QColor glass = screenStyle(1).palette.glass;
+    const auto shown = [&] { return view->viewport()->grab().toImage().pixelColor(view->viewport()->rect().center()); };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return shown() == glass && view->isUpToDate(); }, test::kPatience));
+  }
+
   Ticks m_ticks;
   QTimer m_ticker;
 };
@@ -149,6 +158,9 @@ TEST_F(ServedFlow, GoesOnWhileAHundredThousandChordsArePlanned) {
   expectServedWhileOpening(choppedCircle(m_scratch, kChords));
   EXPECT_GE(planner().plan()->job.track.size(), static_cast<std::size_t>(kChords));
   EXPECT_EQ(m_profiles.count(), 1);
+  expectPaintedBeside();
+  find<QAbstractButton>("zoomIn")->click();
+  expectPaintedBeside();
 }
 
 /// At every stage of a long planning.

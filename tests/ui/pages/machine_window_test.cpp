@@ -57,6 +57,33 @@ TEST_F(MachineWindow, TakesANewcomerFromAnEmptyProgramToTheSecondPane) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return m_window.machine().panesDone() == 2; }, test::kPatience));
 }
 
+// The page Setup says what comes next, never what is not so.
+TEST_F(MachineWindow, GuidesThroughTheSetup) {
+  const auto expectGuide = [this](const char* words) {
+    EXPECT_TRUE(QTest::qWaitFor([&] { return label("guide").startsWith(QLatin1String(words)); }, test::kPatience))
+        << label("guide").toStdString();
+  };
+  expectGuide("Next: switch the drives on");
+  tap("pageSetup");
+  tap("enable");
+  expectGuide("Next: home all axes");
+  tap("home");
+  ASSERT_TRUE(becomes(State::Idle));
+  expectGuide("Next: load the job");
+  m_window.openPattern("triangle.dxf");
+  tap("pageRun");
+  tap("loadJob");
+  expectGuide("Ready for the cycle start");
+  getOntoGlass();
+  expectGuide("Something moves");
+  tap("feedHold");
+  ASSERT_TRUE(becomes(State::Held));
+  expectGuide("Held: go on with RESUME");
+  m_window.machine().inject(control::SimulatedFault::EmergencyStop);
+  ASSERT_TRUE(becomes(State::EmergencyStop));
+  expectGuide("Read the alarm above");
+}
+
 TEST_F(MachineWindow, HoldsStepsBackAndResumes) {
   getReady();
   getOntoGlass();
@@ -82,8 +109,10 @@ TEST_F(MachineWindow, TellsAFaultOnEveryPageAndGoesOnAfterItsAcknowledgement) {
   tap("inject4"); // the coolant fails
   ASSERT_TRUE(becomes(State::Faulted));
   EXPECT_TRUE(m_window.findChild<QLabel*>(QStringLiteral("alarmText"))->text().contains(QStringLiteral("coolant")));
+  EXPECT_TRUE(label("guide").startsWith("Read the alarm above")) << label("guide").toStdString();
   keep("setup-fault");
   tap("pageRun");
+  EXPECT_TRUE(label("revision").contains("After the alarm CYCLE START goes on")) << label("revision").toStdString();
   keep("run-fault");
   EXPECT_FALSE(button("cycleStart")->isEnabled());
   tap("pageSetup");
@@ -92,6 +121,7 @@ TEST_F(MachineWindow, TellsAFaultOnEveryPageAndGoesOnAfterItsAcknowledgement) {
   ASSERT_TRUE(becomes(State::Idle));
   EXPECT_EQ(m_window.findChild<QLabel*>(QStringLiteral("alarmText"))->text(), QString());
   tap("pageRun");
+  EXPECT_TRUE(label("revision").contains("broken off: CYCLE START goes on")) << label("revision").toStdString();
   m_window.machine().setOverride(1);
   holdDown("cycleStart"); // from where it was broken off
   ASSERT_TRUE(becomes(JobState::Ended));

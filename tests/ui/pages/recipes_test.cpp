@@ -267,6 +267,8 @@ TEST_F(RecipeWindow, AsksBeforeARecipeIsReplacedOrDeleted) {
 
 TEST_F(RecipeWindow, ShowsTheRecipesForTheGlassThatIsSet) {
   openDialog();
+  const auto message = [this] { return find<QLabel>("recipeMessage")->text(); };
+  EXPECT_EQ(message(), "No recipe has been saved yet.");
   for (const char* thickness : {"6", "8", "10"}) {
     type("thickness_mm", thickness);
     saveAs(thickness);
@@ -275,6 +277,11 @@ TEST_F(RecipeWindow, ShowsTheRecipesForTheGlassThatIsSet) {
   tap("recipesOfGlass");
   ASSERT_EQ(find<QTableView>("recipeTable")->model()->rowCount(), 1);
   EXPECT_EQ(find<QTableView>("recipeTable")->model()->index(0, 0).data().toString(), "10");
+  tap("recipesAll");
+  type("thickness_mm", "12");
+  tap("recipesOfGlass");
+  EXPECT_NE(message(), "No recipe has been saved yet.");
+  EXPECT_EQ(find<QTableView>("recipeTable")->model()->rowCount(), 0);
 }
 
 TEST_F(RecipeWindow, TakesNoNameThatIsNone) {

@@ -128,6 +128,7 @@ TEST_F(SettingsWindow, LocksTheMachineBehindTheCode) {
   EXPECT_TRUE(m_window.findChildren<QLabel*>(QStringLiteral("complaint")).back()->text().contains("out of range"));
   travel->setText(QStringLiteral("3000"));
   tap("settingsCode");
+  EXPECT_FALSE(find<QPushButton>("codeSet")->isEnabled()); // nothing is typed
   find<QLineEdit>("code")->setText(QStringLiteral("4711"));
   tap("codeSet");
   tap("codeLock");
@@ -154,6 +155,7 @@ TEST_F(SettingsWindow, BringsUpTheKeypadWhichTakesANumberOrSaysWhyNot) {
   QTest::mouseClick(line, Qt::LeftButton);
   ASSERT_TRUE(find<Keypad>("keypad") != nullptr);
   EXPECT_TRUE(find<QLabel>("keypadRange")->text().contains("from 1 to 100"));
+  EXPECT_FALSE(find<QPushButton>("keySign")->isEnabled()); // there is no glass of −12 mm
   for (const char* key : {"key1", "key9", "key0"}) {
     tap(key);
   }

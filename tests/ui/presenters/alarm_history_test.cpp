@@ -28,8 +28,9 @@ protected:
     std::ofstream(log(), std::ios::app) << line << '\n';
   }
 
-  void putAlarm(const std::string& time, const std::string& code, bool acknowledged = false) {
-    putLine("{\"time\":\"" + time + "\",\"code\":\"" + code + "\",\"text\":\"It was so.\",\"values\":{}," +
+  void putAlarm(const std::string& time, const std::string& code, bool acknowledged = false,
+                const std::string& text = "It was so.") {
+    putLine("{\"time\":\"" + time + "\",\"code\":\"" + code + "\",\"text\":\"" + text + "\",\"values\":{}," +
             "\"acknowledged\":" + (acknowledged ? "true}" : "false}"));
   }
 
@@ -101,6 +102,17 @@ TEST_F(History, ShowsActiveAlarmsAloneWhereThatIsAskedFor) {
   m_machine->acknowledge();
   EXPECT_TRUE(m_history->shown().empty());
   EXPECT_FALSE(m_history->chosen());
+}
+
+TEST_F(History, TellsTwoAxesThatFailInOneSecondApart) {
+  putAlarm("2031-05-06T07:08:09", "drive-fault", false, "The drive of X reports a fault.");
+  putAlarm("2031-05-06T07:08:09", "drive-fault", false, "The drive of Y reports a fault.");
+  begin();
+  ASSERT_EQ(m_history->all().size(), 2U);
+  for (const PastAlarm& past : m_history->all()) {
+    m_history->choose(past.alarm);
+    EXPECT_EQ(m_history->chosen()->alarm.text, past.alarm.text);
+  }
 }
 
 // A fault of one axis often brings others: the first says what is to be done.
