@@ -146,7 +146,7 @@ ExitStatus runJob(const Arguments& arguments) {
   run.folder = {runRequest.stateFolder.empty() ? defaultStateFolder() : runRequest.stateFolder};
   run.patternFile = request.pattern.string();
   run.patternHash = files::fileHash(*bytes);
-  run.axes = runRequest.axes == "linuxcnc" ? files::Axes::Linuxcnc : files::Axes::Simulated;
+  run.axes = files::axesNamed(runRequest.axes);
   run.moduleFolders = moduleFolders();
   run.isFast = runRequest.speed == "fast";
   run.overrideFactor = runRequest.overridePercent / 100;

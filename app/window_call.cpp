@@ -34,11 +34,6 @@ void endOnFatal(QtMsgType type, const QMessageLogContext&, const QString&) {
   }
 }
 
-std::optional<files::Axes> axesNamed(const std::string& word) {
-  using Axes = files::Axes;
-  return word.empty() ? std::nullopt : std::optional(word == "linuxcnc" ? Axes::Linuxcnc : Axes::Simulated);
-}
-
 } // namespace
 
 ExitStatus openWindow(const Arguments& arguments) {
@@ -70,7 +65,9 @@ ExitStatus openWindow(const Arguments& arguments) {
   qInstallMessageHandler(before);
   const auto file = pattern.empty() ? std::nullopt : std::optional<std::filesystem::path>(pattern);
   ui::MachineSetup setup{{}, folder, control::Pace::Real};
-  setup.axes = axesNamed(axes);
+  if (!axes.empty()) {
+    setup.axes = files::axesNamed(axes);
+  }
   setup.moduleFolders = moduleFolders();
   return ui::runWindow(application, setup, file) == 0 ? ExitStatus::Done : ExitStatus::InternalError;
 }

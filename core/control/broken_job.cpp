@@ -82,10 +82,7 @@ std::optional<Problem> checkAxes(const files::ResumePoint& point, files::Axes ax
   if (point.axes.value_or(axes) == axes) {
     return std::nullopt;
   }
-  const auto word = [](files::Axes which) {
-    return std::string(files::kAxesWords.at(static_cast<std::size_t>(which)));
-  };
-  return ofAnotherMachine("axes", word(*point.axes), word(axes));
+  return ofAnotherMachine("axes", std::string(wordOf(*point.axes)), std::string(wordOf(axes)));
 }
 
 std::optional<Problem> checkPlace(const files::ResumePoint& point, const job::Job& job) {

@@ -92,7 +92,7 @@ std::string writeResumePoint(const ResumePoint& point) {
   json.member("panes", point.panes);
   json.member("ended", kEndedWords.at(static_cast<std::size_t>(point.ended)));
   if (point.axes) {
-    json.member("axes", kAxesWords.at(static_cast<std::size_t>(*point.axes)));
+    json.member("axes", wordOf(*point.axes));
   }
   writeSettings(json, point.recipe, point.machine);
   json.close();

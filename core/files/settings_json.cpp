@@ -107,7 +107,7 @@ std::string writeSettingsFile(const Settings& settings) {
   json.member("appearance", word(kAppearances, settings.appearance));
   json.member("scale_percent", settings.scale);
   json.member("keypad", word(kKeypads, settings.keypad));
-  json.member("axes", word(kAxesWords, settings.axes));
+  json.member("axes", wordOf(settings.axes));
   json.member("code", settings.code);
   json.member("recent_patterns", std::span<const std::string>(settings.recent));
   json.close();

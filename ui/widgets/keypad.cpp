@@ -103,9 +103,8 @@ void Keypad::addKeys(QGridLayout& grid) {
   }
   const QString point = QLocale().decimalPoint();
   addKey(grid, point, QStringLiteral("keyPoint"), 3, 1, type(point));
-  addKey(grid, QStringLiteral("±"), QStringLiteral("keySign"), 3, 2, [this] {
-    changeSign();
-  })->setEnabled(m_edit->spec().least < 0);
+  QPushButton* sign = addKey(grid, QStringLiteral("±"), QStringLiteral("keySign"), 3, 2, [this] { changeSign(); });
+  sign->setEnabled(m_edit->spec().least < 0);
   addKey(grid, QStringLiteral("⌫"), QStringLiteral("keyBack"), 0, 3, [this] { m_line->backspace(); });
   addKey(grid, QStringLiteral("C"), QStringLiteral("keyClear"), 1, 3, [this] { m_line->clear(); });
   addKey(grid, tr("Cancel"), QStringLiteral("keyCancel"), 2, 3, [this] { close(); });

@@ -8,8 +8,8 @@
 #include <functional>
 
 class QGridLayout;
-class QPushButton;
 class QLabel;
+class QPushButton;
 
 namespace arris::ui {
 
